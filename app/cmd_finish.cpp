@@ -12,11 +12,11 @@
 namespace edgevo::app {
 namespace {
 
-int finish(const std::string& out, bool include_doubtful) {
-  const RecoveredRun recovered = recover_run(out, include_doubtful);
+int finish(const std::string& out, const RecoveryOptions& options) {
+  const RecoveredRun recovered = recover_run(out, options);
   const Run& run = recovered.run;
   if (!recovered.map_note.empty()) std::fprintf(stderr, "%s\n", recovered.map_note.c_str());
-  print_run(run, out, include_doubtful);
+  print_run(run, out, options.include_doubtful);
   if (recovered.is_damaged)
     throw InputError(
         out,
@@ -36,9 +36,13 @@ void add_finish_command(CLI::App& app, Action* action) {
       "finish", "write the results of an interrupted run (killed, power loss), as far as it got");
   auto out = std::make_shared<std::string>();
   command->add_option("OUT", *out, "output folder of the interrupted run")->required()->check(path_given());
-  auto include_doubtful = std::make_shared<bool>(false);
-  add_include_doubtful(*command, include_doubtful.get());
-  command->callback([=] { *action = [=] { return finish(*out, *include_doubtful); }; });
+  auto options = std::make_shared<RecoveryOptions>();
+  add_include_doubtful(*command, &options->include_doubtful);
+  command
+      ->add_option("--resolution", options->resolution,
+                   "size of voxels and cells, unit of the run (default: that of the run)")
+      ->check(positive_number());
+  command->callback([=] { *action = [=] { return finish(*out, *options); }; });
 }
 
 }  // namespace edgevo::app

@@ -62,6 +62,10 @@ int overlay(const OverlayCommand& options) {
   if (const GrayImage own = source.own_part_mask(); !own.empty()) writer.add_fixed_mask(own);
   writer.finish(source.ground_truth(truth), note(options.overlay));
   std::printf("%s: %d frames\n", options.out.c_str(), count);
+  if (options.overlay.standing > 0 && options.overlay.stop_at >= count)
+    throw InputError("--stop-at " + std::to_string(options.overlay.stop_at),
+                     "is beyond the source's " + std::to_string(count) + " frames: the camera never stands",
+                     "give 0 to " + std::to_string(count - 1));
   return 0;
 }
 
@@ -77,21 +81,25 @@ void add_overlay_command(CLI::App& app, Action* action) {
   for (const std::string& kind : own_part_kinds()) kinds += (kinds.empty() ? "" : ", ") + kind;
   command->add_option("-o,--out", options->out, "folder to write")->required()->check(path_given());
   OverlayOptions& o = options->overlay;
-  command->add_option("--own-part", o.own_part, "part that is fixed to the camera: " + kinds);
+  CLI::Option* part =
+      command->add_option("--own-part", o.own_part, "part that is fixed to the camera: " + kinds);
   command
       ->add_option("--part-share", o.part_share,
                    "its share of the image (default: 0.1; bow 0.15, bonnet 0.2, dashboard 0.3)")
-      ->check(number_between(0.01, 0.5));
+      ->check(number_between(0.01, 0.5))
+      ->needs(part);
   command
       ->add_option("--vehicle-ahead", o.vehicle_px,
                    "lorry ahead, of this width in pixels at its nearest, in an image 1241 wide")
       ->check(number_between(20, 1241));
   command->add_option("--traffic", o.passing, "lorries on the next lane: oncoming or overtaking");
-  command->add_option("--standing", o.standing, "frames that the camera stands, with noise")
-      ->check(whole_number(1, 100000));
+  CLI::Option* standing =
+      command->add_option("--standing", o.standing, "frames that the camera stands, with noise")
+          ->check(whole_number(1, 100000));
   command->add_option("--stop-at", o.stop_at, "frame that is repeated then, counted from the first")
       ->check(whole_number(0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(standing);
   command
       ->add_option("--crossing", o.crossing_px,
                    "bus that crosses meanwhile, of this length in pixels in an image 1241 wide")

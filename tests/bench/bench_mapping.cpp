@@ -48,7 +48,7 @@ void update_depths_once(benchmark::State& state) {
     return IdepthRange{0.4 * idepth, 2.5 * idepth};
   };
   host.immature =
-      make_immature_points(host, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
+      make_immature_points(host, grid, std::vector<bool>(size_t(grid.size()), false), range, params, &random);
   const auto target = test::pyramid(4);
   const SE3 T = test::motion(0, 4);
   const std::vector<ImmaturePoint> fresh = host.immature;

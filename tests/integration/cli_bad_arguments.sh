@@ -71,6 +71,8 @@ complains "times.txt: is missing" run only_images -o out
 complains "no calibration.*--camera" run "$desk/images" -o out
 complains "letter.txt.*neither a rawlog nor a video" run letter.txt -o out
 complains "nothing.rawlog: the file is empty" run nothing.rawlog -o out
+complains "--fps: is of no use: .* has times of its own" run "$desk" -o out --fps 10
+complains "--time-unit: is of no use" run nothing.rawlog -o out --time-unit ms
 complains "no sensor 'CAM7'" run "$desk" -o out --sensor CAM7
 complains "none.txt" run "$desk" -o out --camera none.txt
 echo "500 500 320 240 0 0" >short_camera.txt

@@ -47,6 +47,12 @@ check "poses of the frames before the mask" "$(grep -vc '^#' early/trajectory_tu
 # Invalid requests.
 complains "did you mean gripper" "$edgevo" overlay seq -o x --own-part griper
 complains "nothing to paste" "$edgevo" overlay seq -o x
+for needs in "--part-share 0.3" "--stop-at 3"; do
+  # shellcheck disable=SC2086
+  run_code 2 "$edgevo" overlay seq -o x --vehicle-ahead 300 $needs
+  check "the option that it needs" "$(grep -c 'requires' stderr)" -eq 1
+done
+complains "--stop-at 100: is beyond the source's 6 frames" "$edgevo" overlay seq -o beyond --frames 0:6 --standing 3 --stop-at 100
 complains "give --standing" "$edgevo" overlay seq -o x --crossing 500
 complains "name a folder" "$edgevo" overlay seq -o x.rawlog --own-part plain
 complains "not the folder of a finished run" "$edgevo" mask seq -o x.png

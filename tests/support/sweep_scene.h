@@ -46,7 +46,8 @@ inline Keyframe true_keyframe(int id, int frame, double depth_noise, Random* ran
   const DepthFilterParams params;
   const CellGrid grid(Sweep::pinhole().width, Sweep::pinhole().height, params.cell_px);
   const auto range = [](const Eigen::Vector2d&) { return IdepthRange{0.1, 0.2}; };
-  k.immature = make_immature_points(k, std::vector<bool>(size_t(grid.size()), false), range, params, random);
+  k.immature =
+      make_immature_points(k, grid, std::vector<bool>(size_t(grid.size()), false), range, params, random);
   for (ImmaturePoint& p : k.immature) {
     const double truth = Sweep::idepth(frame, p.px);
     p.idepth = truth * (1 + depth_noise * random->normal());

@@ -25,6 +25,8 @@ struct LevelMatch {
   bool found = false;
   Eigen::Vector2d normal;
   double residual_px = 0, along_px = 0;
+  int edge = -1;
+  bool agrees() const { return found && std::abs(residual_px) < kAgreePx && std::abs(along_px) < kSlidPx; }
 };
 
 LevelMatch match_pixel(const PyramidLevel& level, const Eigen::Vector2d& px, const Eigen::Vector2f& normal) {
@@ -33,7 +35,7 @@ LevelMatch match_pixel(const PyramidLevel& level, const Eigen::Vector2d& px, con
   const EdgePixel& edge = level.edges.pixels[size_t(n)];
   if (!(edge.normal().dot(normal) >= kMinNormalCosine)) return {};
   const Eigen::Vector2d g = edge.normal().cast<double>(), d = px - edge.position().cast<double>();
-  return {true, g, g.dot(d), g.x() * d.y() - g.y() * d.x()};
+  return {true, g, g.dot(d), g.x() * d.y() - g.y() * d.x(), n};
 }
 
 // One step of iterated closest points: shift and change of size from the residuals along the normals. False
@@ -72,10 +74,20 @@ double agreeing_share(const PyramidLevel& finest, const std::vector<OrientedPixe
                       const ImageSimilarity& motion) {
   if (group.empty()) return 0;
   const auto agrees = [&](const OrientedPixel& p) {
-    const LevelMatch m = match_pixel(finest, motion(p.px), p.normal);
-    return m.found && std::abs(m.residual_px) < kAgreePx && std::abs(m.along_px) < kSlidPx;
+    return match_pixel(finest, motion(p.px), p.normal).agrees();
   };
   return double(std::count_if(group.begin(), group.end(), agrees)) / double(group.size());
+}
+
+std::vector<OrientedPixel> moved_edges(const PyramidLevel& finest, const std::vector<OrientedPixel>& group,
+                                       const ImageSimilarity& motion) {
+  std::vector<OrientedPixel> moved;
+  for (const OrientedPixel& p : group)
+    if (const LevelMatch m = match_pixel(finest, motion(p.px), p.normal); m.agrees()) {
+      const EdgePixel& edge = finest.edges.pixels[size_t(m.edge)];
+      moved.push_back({edge.position().cast<double>(), edge.normal()});
+    }
+  return moved;
 }
 
 GroupMotion align_group(const FramePyramid& current, const std::vector<OrientedPixel>& all,

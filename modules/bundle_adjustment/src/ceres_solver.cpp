@@ -84,6 +84,21 @@ class ReprojectionCost : public ceres::SizedCostFunction<2, 7, 7, 1> {  // targe
   const BaObservation& observation_;
 };
 
+class KnownDepthCost : public ceres::SizedCostFunction<1, 1> {
+ public:
+  explicit KnownDepthCost(const PackedPoint& point)
+      : known_(point.known_idepth), inv_sigma_(std::sqrt(point.known_information)) {}
+
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    residuals[0] = inv_sigma_ * (x[0][0] - known_);
+    if (jacobians && jacobians[0]) jacobians[0][0] = inv_sigma_;
+    return true;
+  }
+
+ private:
+  double known_, inv_sigma_;
+};
+
 class CornerCost : public ceres::SizedCostFunction<1, 7, 7> {
  public:
   CornerCost(const Pinhole& pinhole, const BaCornerPair& pair) : pinhole_(pinhole), pair_(pair) {}
@@ -214,6 +229,7 @@ void CeresSolve::add_points() {
     } else {
       ceres_->SetParameterLowerBound(idepth, 0, options_.min_idepth);
     }
+    if (p.known_information > 0) ceres_->AddResidualBlock(new KnownDepthCost(p), &huber_, idepth);
     for (int k = p.begin; k < p.end; ++k) {
       const BaObservation& o = problem_.observations[packed_.observations[k].index];
       ceres_->AddResidualBlock(new ReprojectionCost(problem_.pinhole, point, o), &huber_,

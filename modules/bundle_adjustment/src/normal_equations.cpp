@@ -164,6 +164,15 @@ EDGEVO_WIDE_CLONES PointSums sum_point(const PackedPoint& point, const PackedObs
   return sum;
 }
 
+// Adds what is known of the depth of a point apart from its observations.
+void add_known_depth(const PackedPoint& point, double idepth, double huber_width, PointSums* sum) {
+  const double off = idepth - point.known_idepth, sigmas = std::abs(off) * std::sqrt(point.known_information);
+  const double information =
+      sigmas > huber_width ? point.known_information * huber_width / sigmas : point.known_information;
+  sum->cost += huber_cost(sigmas, huber_width);
+  sum->depth += Rows{information, information * off};
+}
+
 }  // namespace
 
 NormalEquationsBuilder::NormalEquationsBuilder(const PackedProblem& packed, double huber_width)
@@ -236,8 +245,9 @@ void NormalEquationsBuilder::build_cost_and_depths(const State& state, NormalEqu
 template <bool kAll>
 void NormalEquationsBuilder::add_point(const PackedPoint& point, int host, int point_index, double idepth,
                                        NormalEquations* out) {
-  const PointSums sum = sum_point<kAll>(point, packed_.observations.data(), &relative_[host * n_], idepth,
-                                        huber_width_, &pairs_[host * n_], out->coupling.data());
+  PointSums sum = sum_point<kAll>(point, packed_.observations.data(), &relative_[host * n_], idepth,
+                                  huber_width_, &pairs_[host * n_], out->coupling.data());
+  if (point.known_information > 0) add_known_depth(point, idepth, huber_width_, &sum);
   out->cost += sum.cost;
   out->idepth_information[point_index] = sum.depth[0];
   out->idepth_gradient[point_index] = sum.depth[1];
@@ -261,9 +271,10 @@ inline RepeatedRows repeat_rows(const PackedVector6& q, double factor) {
 }
 
 inline RepeatedColumns repeat_columns(const PackedVector6& e) {
-  double v[6];
-  std::memcpy(v, &e, sizeof(v));
-  return {{Quad{v[0], v[1], v[2], v[3]}, Quad{v[4], v[5], v[0], v[1]}, Quad{v[2], v[3], v[4], v[5]}}};
+  Quad first, last;
+  std::memcpy(&first, &e.x[0], sizeof(Quad));
+  std::memcpy(&last, &e.x[1], sizeof(Quad));
+  return {{first, __builtin_shufflevector(e.x[2], e.x[0], 0, 1, 2, 3), last}};
 }
 
 // M(target i, target j) += inverse e_i e_j^T for the couplings e of one point. Targets ascend, so blocks on
@@ -273,10 +284,11 @@ EDGEVO_WIDE_CLONES void add_outer_products(const PackedVector6* coupling,
                                            int n, SchurBlock* schur) {
   for (int i = 0; i < count; ++i) {
     const int row = observations[i].target;
+    SchurBlock* const blocks = schur + std::ptrdiff_t(row) * n;
     const RepeatedRows rows = repeat_rows(coupling[i], inverse);
     for (int j = 0; j < count && observations[j].target <= row; ++j) {
       const RepeatedColumns columns = repeat_columns(coupling[j]);
-      Quad* block = schur[row * n + observations[j].target].quad;
+      Quad* block = blocks[observations[j].target].quad;
       for (int m = 0; m < 9; ++m) block[m] += rows.quad[m] * columns.quad[m % 3];
     }
   }

@@ -91,7 +91,13 @@ PackedProblem pack_problem(const BaProblem& problem, const State& state, const s
               [](const PackedObservation& a, const PackedObservation& b) {
                 return a.target != b.target ? a.target < b.target : a.index < b.index;
               });
-    packed.points.push_back({{p.ray.x(), p.ray.y(), p.ray.z()}, begin, end, i, p.fixed});
+    packed.points.push_back({{p.ray.x(), p.ray.y(), p.ray.z()},
+                             begin,
+                             end,
+                             i,
+                             p.fixed,
+                             p.known_idepth,
+                             p.fixed ? 0.0 : p.known_information});
     ++packed.host_begin[p.host + 1];
   }
   for (int h = 0; h < n; ++h) packed.host_begin[h + 1] += packed.host_begin[h];

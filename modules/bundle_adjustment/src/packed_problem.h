@@ -55,6 +55,8 @@ struct PackedPoint {
   /// Index into BaProblem::points.
   int index;
   bool fixed;
+  /// As in BaPoint; information 0 if the depth is fixed.
+  double known_idepth, known_information;
 };
 
 /// Targets of a host's points, first to last; none if last < first. Points are seen only by keyframes near

@@ -62,7 +62,10 @@ void check_prior(const BaProblem& problem) {
   }
 }
 
-bool is_finite(const BaPoint& p) { return p.ray.allFinite() && std::isfinite(p.idepth); }
+bool is_finite(const BaPoint& p) {
+  return p.ray.allFinite() && std::isfinite(p.idepth) && std::isfinite(p.known_idepth) &&
+         std::isfinite(p.known_information);
+}
 
 bool is_finite(const BaObservation& o) {
   return o.px.allFinite() && o.normal.allFinite() && std::isfinite(o.inv_sigma_normal) &&

@@ -57,10 +57,12 @@ std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
   };
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const FrameRecord& frame = run.frames[i];
+    if (frame.evidence.unit && !intervals.empty())
+      intervals.back().is_unit_unlinked = !frame.evidence.unit->is_linked();
     if (!is_doubtful(frame)) continue;
     if (last < 0 || int(i) - last > kJoinedFrames + 1) {
       close();
-      intervals.push_back({frame.index, frame.index, 0, ""});
+      intervals.push_back({frame.index, frame.index, 0, "", false});
     }
     intervals.back().last_frame = frame.index;
     ++intervals.back().frames;
@@ -98,12 +100,19 @@ std::vector<size_t> most_doubtful_frames(const Run& run, size_t most) {
   return worst;
 }
 
+std::string why(const DoubtfulInterval& interval) {
+  if (!interval.is_unit_unlinked) return interval.reason;
+  return interval.reason + (interval.reason.empty() ? "" : "; ") +
+         "nothing links the unit of length after it to that before";
+}
+
 std::string to_string(const DoubtfulInterval& interval) {
   const std::string frames =
       interval.first_frame == interval.last_frame
           ? "frame " + std::to_string(interval.first_frame)
           : "frames " + std::to_string(interval.first_frame) + " to " + std::to_string(interval.last_frame);
-  return interval.reason.empty() ? frames : frames + ": " + interval.reason;
+  const std::string reason = why(interval);
+  return reason.empty() ? frames : frames + ": " + reason;
 }
 
 std::string commonest_doubt(const Run& run) {

@@ -44,10 +44,22 @@ void refuse_bits(const SourceOptions& options) {
   throw InputError("--bits", "is of no use: images of a video or a live camera have 8 bits", "omit it");
 }
 
+void refuse_rate(const SourceOptions& options) {
+  if (options.fps == 0) return;
+  throw InputError("--fps", "is of no use: " + options.path + " has times of its own", "omit it");
+}
+
+void refuse_time_unit(const SourceOptions& options) {
+  if (options.time_unit.empty()) return;
+  throw InputError("--time-unit", "is of no use: " + options.path + " has no times written as numbers",
+                   "omit it");
+}
+
 std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
   const Layout* layout = layout_of(options.path);
   if (!layout || !layout->has_labels) refuse_label(options);
   if (layout && !layout->lists_folder) refuse_images(options);
+  if (layout && layout->has_times) refuse_rate(options);
   Sequence sequence = layout ? layout->read(options) : read_image_folder(options);
   sequence.any_size = options.any_size;
   return play(std::move(sequence), options.bits);
@@ -55,6 +67,8 @@ std::unique_ptr<ImageSource> open_folder(const SourceOptions& options) {
 
 std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
   refuse_images(options);
+  refuse_rate(options);
+  refuse_time_unit(options);
   RawlogSourceOptions rawlog{options.path, options.sensor_label, std::nullopt, {}, options.bits};
   const auto images = [&] {
     const auto [width, height] = first_image_size(rawlog);
@@ -78,6 +92,8 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   if (options.path.rfind(kLiveCamera, 0) == 0) {
     refuse_images(options);
     refuse_bits(options);
+    refuse_rate(options);
+    refuse_time_unit(options);
     return open_live_camera(options);
   }
   if (!fs::exists(options.path, ignored))
@@ -90,6 +106,7 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   refuse_label(options);
   refuse_images(options);
   refuse_bits(options);
+  refuse_time_unit(options);
   return open_video(options);
 }
 

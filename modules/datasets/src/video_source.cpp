@@ -245,7 +245,7 @@ std::unique_ptr<ImageSource> open_video(const SourceOptions& options) {
     capture.open(options.path, cv::CAP_FFMPEG);
   } catch (const cv::Exception&) {
   }
-  if (!capture.isOpened())
+  if (!capture.isOpened() || is_drawn_text(options.path))
     throw InputError(options.path, "is neither a rawlog nor a video that can be read",
                      "give a .rawlog, a dataset folder, a folder of images or a video");
   return std::make_unique<VideoSource>(options, std::move(capture));

@@ -76,6 +76,17 @@ VideoStamps read_video_stamps(const std::string& path) {
   return result;
 }
 
+bool is_drawn_text(const std::string& path) {
+  const QuietFfmpeg quiet;
+  const auto input = open_input(path);
+  if (!input) return false;
+  const int index = av_find_best_stream(input.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+  if (index < 0) return false;
+  const AVCodecID codec = input->streams[index]->codecpar->codec_id;
+  return codec == AV_CODEC_ID_ANSI || codec == AV_CODEC_ID_BINTEXT || codec == AV_CODEC_ID_XBIN ||
+         codec == AV_CODEC_ID_IDF;
+}
+
 bool have_rate(const std::vector<double>& seconds, double fps) {
   constexpr double kResolution = 1e-3, kShare = 0.01;
   const double tolerance = std::max(kResolution, kShare / fps);

@@ -19,6 +19,9 @@ struct VideoStamps {
 /// for a file that does not open.
 VideoStamps read_video_stamps(const std::string& path);
 
+/// Whether FFmpeg would draw the file's letters as pictures: it takes a long text for a video.
+bool is_drawn_text(const std::string& path);
+
 /// Whether the frames are the same time apart, within the resolution of a container (a millisecond) or a
 /// hundredth of a frame.
 bool have_rate(const std::vector<double>& seconds, double fps);

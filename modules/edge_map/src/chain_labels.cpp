@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace edgevo {
 namespace {
@@ -49,18 +50,20 @@ ChainLabels label_chain(const std::vector<ChainNode>& nodes) {
   const size_t n = nodes.size();
   ChainLabels result{std::vector<int>(n, -1), std::vector<bool>(n, true)};
   if (n == 0) return result;
-  // Label l of a node is stored at l + 1.
-  std::vector<std::vector<int>> from(n);
+  // Label l of a node is stored at l + 1, those of all nodes one after another.
+  std::vector<size_t> begin(n);
+  size_t all = 0;
+  for (size_t i = 0; i < n; ++i) begin[i] = std::exchange(all, all + nodes[i].hypotheses.size() + 1);
+  std::vector<int> from(all, -1);
   std::vector<double> cost, next;
   for (size_t i = 0; i < n; ++i) {
     const int labels = int(nodes[i].hypotheses.size());
     next.assign(size_t(labels) + 1, std::numeric_limits<double>::infinity());
-    from[i].assign(size_t(labels) + 1, -1);
     for (int l = -1; l < labels; ++l) {
       double best = i == 0 ? 0 : std::numeric_limits<double>::infinity();
       for (int k = -1; i > 0 && k + 1 < int(cost.size()); ++k) {
         const double c = cost[size_t(k + 1)] + step_cost(nodes[i - 1], k, nodes[i], l);
-        if (c < best) best = c, from[i][size_t(l + 1)] = k;
+        if (c < best) best = c, from[begin[i] + size_t(l + 1)] = k;
       }
       next[size_t(l + 1)] = best + own_cost(nodes[i], l);
     }
@@ -69,7 +72,7 @@ ChainLabels label_chain(const std::vector<ChainNode>& nodes) {
   int label = int(std::min_element(cost.begin(), cost.end()) - cost.begin()) - 1;
   for (size_t i = n; i-- > 0;) {
     result.label[i] = label;
-    label = from[i][size_t(label + 1)];
+    label = from[begin[i] + size_t(label + 1)];
   }
   for (size_t i = 0; i + 1 < n; ++i)
     result.breaks[i] = is_break(nodes[i], result.label[i], nodes[i + 1], result.label[i + 1]);

@@ -4,6 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/simd.h"
+
+// How vectors are passed depends on the target; these functions are only called within this file.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace edgevo {
 namespace {
 
@@ -13,58 +18,137 @@ constexpr double kReachPx[] = {3.0, 2.0, 1.25};
 constexpr int kLooks = 3;
 constexpr double kAlongPx = 2.5;  // from the point to the nearest edge pixel, any direction, plus the reach
 constexpr float kSidePx = 2;      // off the edge: outside the blur of the step itself
-constexpr float kGrayTolerance = 12;  // gray levels: noise, and texture next to the edge
-constexpr float kGrayShare = 0.4f;    // of the step: a side differs when it is off by more
 // Motion across the edge from infinity to the depth of the point, below which a view does not constrain
 // depth.
 constexpr double kMinMotionPx = 3;
 
-// One view's equation for the inverse depth.
-struct Look {
-  size_t view = 0;
-  Eigen::Vector2d p;  // position of the point in the view
-  int pixel = -1;     // pixel of the nearest edge
-  bool found = false;
-  double residual = 0, slope = 0;  // r and J
-  SideChange change;
+using FourMasks = int64_t __attribute__((vector_size(32)));  // -1 where something holds, else 0
+using FourPixels = int32_t __attribute__((vector_size(16)));
+using FourFloats = float __attribute__((vector_size(16)));
+
+// Four views of a point, and the nearest edge in each.
+struct alignas(32) LookGroup {
+  FourViews x, y, depth;       // of the point in the view, depth over that in the host
+  FourViews e_x, e_y, nx, ny;  // position and normal of the edge
+  FourMasks in_view, is_new;   // -1: the view is used; the point lies at another pixel than in the last pass
+  FourMasks fits;              // -1: an edge of like direction with a like side
+  FourMasks dark_differs, bright_differs;
+  FourPixels column, row;  // of the point
 };
 
-// The first `most` views that contain the point. Memory is prefetched, since the look-ups are scattered over
-// a megabyte.
-void project(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, int most,
-             std::vector<Look>* looks) {
-  looks->clear();
-  for (size_t v = 0; v < views.size() && int(looks->size()) < most; ++v) {
-    const SightLine& line = sight.lines[v];
-    if (!(line.depth(idepth) > kMinDepth)) continue;
-    Look look;
-    look.view = v;
-    look.p = line.at(idepth);
-    if (!views[v].level->pinhole.contains(look.p, kEdgeBorderPx)) continue;
-    views[v].level->field.prefetch_pixel(float(look.p.x()), float(look.p.y()));
-    looks->push_back(look);
-  }
-  for (Look& look : *looks) {
-    const NearestField& field = views[look.view].level->field;
-    look.pixel = field.nearest_pixel(float(look.p.x()), float(look.p.y()));
-    if (look.pixel >= 0) field.prefetch_edge(look.pixel);
-  }
+// What the views say together.
+struct EquationSums {
+  double A = 0, b = 0, cost = 0;  // of A (rho - idepth) = b
+  FourMasks views{}, informative{}, dark_differs{}, bright_differs{};
+};
+
+// Into both versions of look_at_views().
+#define EDGEVO_INLINE inline __attribute__((always_inline))
+
+EDGEVO_INLINE FourPixels narrow(const FourMasks& m) {
+  using Halves = int32_t __attribute__((vector_size(32)));
+  const Halves h = Halves(m);
+  return __builtin_shufflevector(h, h, 0, 2, 4, 6);
+}
+EDGEVO_INLINE FourMasks widen(const FourPixels& m) { return __builtin_convertvector(m, FourMasks); }
+EDGEVO_INLINE int count(const FourMasks& m) { return -int(m[0] + m[1] + m[2] + m[3]); }
+EDGEVO_INLINE FourViews magnitude(const FourViews& v) {
+  return FourViews(FourMasks(v) & int64_t(0x7FFFFFFFFFFFFFFF));
+}
+EDGEVO_INLINE FourViews only(const FourMasks& where, const FourViews& v) {
+  return FourViews(FourMasks(v) & where);
 }
 
-void compare_with_edge(const EdgeSight& sight, const ViewGeometry& view, double idepth, double reach,
-                       Look* look) {
-  if (look->pixel < 0) return;
-  const size_t j = size_t(view.level->field.edge_at(look->pixel));
-  const EdgePixel& e = view.level->edges.pixels[j];
-  const Eigen::Vector2d offset = e.position().cast<double>() - look->p;
-  const Eigen::Vector2d n = e.normal().cast<double>();
-  look->residual = n.dot(offset);
-  if (std::abs(look->residual) > reach || offset.squaredNorm() > (kAlongPx + reach) * (kAlongPx + reach))
-    return;
-  if (!is_like_direction(view, sight.normal, e)) return;
-  look->change = compare_sides(sight.sides, view, j);
-  look->found = !(look->change.dark && look->change.bright);
-  look->slope = n.dot(sight.lines[look->view].slope(idepth, look->p));
+// The area of a view in which points are looked at.
+struct Bounds {
+  double first, last_x, last_y;
+};
+
+// Projects the point into four views, of which at most `room` are used. Returns how many are.
+EDGEVO_INLINE int project(const SightGroup& sight, const ViewGroup& view, double idepth, const Bounds& bounds,
+                          int room, LookGroup* look) {
+  look->depth = sight.h[2] + idepth * view.e[2];
+  look->x = (sight.h[0] + idepth * view.e[0]) / look->depth;
+  look->y = (sight.h[1] + idepth * view.e[1]) / look->depth;
+  FourMasks in_view = (look->depth > kMinDepth) & (look->x >= bounds.first) & (look->y >= bounds.first) &
+                      (look->x <= bounds.last_x) & (look->y <= bounds.last_y);
+  int used = count(in_view);
+  for (size_t v = kViewsAtOnce; used > room;)
+    if (in_view[--v]) in_view[v] = 0, --used;
+  look->in_view = in_view;
+  const FourFloats half = FourFloats{} + 0.5f;
+  const FourPixels column =
+      __builtin_convertvector(__builtin_convertvector(only(in_view, look->x), FourFloats) + half, FourPixels);
+  const FourPixels row =
+      __builtin_convertvector(__builtin_convertvector(only(in_view, look->y), FourFloats) + half, FourPixels);
+  look->is_new = widen((column != look->column) | (row != look->row)) & in_view;
+  look->column = column, look->row = row;
+  return used;
+}
+
+// Finds the edge nearest to the point in one view, and compares what does not depend on the distance.
+EDGEVO_INLINE void look_up(const EdgeSight& sight, const SightGroup& lines, const ViewGeometry& view,
+                           size_t v, LookGroup* look) {
+  look->fits[v] = 0;
+  const int j = view.level->field.nearest_at(look->column[v], look->row[v]);
+  if (j < 0) return;
+  const EdgePixel& e = view.level->edges.pixels[size_t(j)];
+  if (!is_like_direction(lines.normal[0][v], lines.normal[1][v], e)) return;
+  const SideChange change = compare_sides(sight.sides, view, size_t(j));
+  look->e_x[v] = double(e.x), look->e_y[v] = double(e.y);
+  look->nx[v] = double(e.nx), look->ny[v] = double(e.ny);
+  look->fits[v] = -int64_t(!(change.dark && change.bright));
+  look->dark_differs[v] = -int64_t(change.dark), look->bright_differs[v] = -int64_t(change.bright);
+}
+
+// One equation for the inverse depth from each of four views.
+EDGEVO_INLINE void add_equations(const LookGroup& look, const ViewGroup& view, double idepth, double reach,
+                                 EquationSums* sums) {
+  const FourViews off_x = look.e_x - look.x, off_y = look.e_y - look.y;
+  const FourViews residual = look.nx * off_x + look.ny * off_y;
+  const double farthest = (kAlongPx + reach) * (kAlongPx + reach);
+  const FourMasks found =
+      look.in_view & look.fits & (magnitude(residual) <= reach) & (off_x * off_x + off_y * off_y <= farthest);
+  const FourViews slope = only(found, look.nx * ((view.e[0] - look.x * view.e[2]) / look.depth) +
+                                          look.ny * ((view.e[1] - look.y * view.e[2]) / look.depth));
+  const FourViews share = residual / kReachPx[kLooks - 1], one = FourViews{} + 1.0;
+  const FourViews squared = share * share;
+  const FourViews misfit = only(look.in_view, found ? (squared < one ? squared : one) : one);
+  // Zeros change no sum: these are those over the views that count, in their order.
+  const FourViews A = slope * slope, b = slope * residual;
+  for (size_t v = 0; v < kViewsAtOnce; ++v) {
+    sums->A += A[v], sums->b += b[v], sums->cost += misfit[v];
+  }
+  sums->views += found;
+  sums->informative += found & (magnitude(slope) * idepth >= kMinMotionPx);
+  sums->dark_differs += found & look.dark_differs;
+  sums->bright_differs += found & look.bright_differs;
+}
+
+// weigh() for one inverse depth. Points that stay at their pixel are not looked up again.
+EDGEVO_WIDE_CLONES int look_at_views(const EdgeSight& sight, const ViewSet& set, double idepth, double reach,
+                                     int most, LookGroup* looks, EquationSums* sums) {
+  const Pinhole& size = set.views.front().level->pinhole;
+  const Bounds bounds{kEdgeBorderPx, size.width - 1 - kEdgeBorderPx, size.height - 1 - kEdgeBorderPx};
+  int in_view = 0;
+  size_t groups = 0;
+  for (; groups < set.groups.size() && in_view < most; ++groups)
+    in_view +=
+        project(sight.lines[groups], set.groups[groups], idepth, bounds, most - in_view, &looks[groups]);
+  for (size_t g = 0; g < groups; ++g)
+    for (size_t v = 0; v < kViewsAtOnce; ++v)
+      if (looks[g].is_new[v]) look_up(sight, sight.lines[g], set.views[g * kViewsAtOnce + v], v, &looks[g]);
+  for (size_t g = 0; g < groups; ++g) add_equations(looks[g], set.groups[g], idepth, reach, sums);
+  return in_view;
+}
+#undef EDGEVO_INLINE
+
+// Enough to look everything up: no point lies at pixel -1.
+void forget(std::vector<LookGroup>* looks) {
+  for (LookGroup& look : *looks) {
+    look.column = FourPixels{} - 1;
+    look.fits = FourMasks{};
+  }
 }
 
 }  // namespace
@@ -83,40 +167,24 @@ std::vector<EdgeSides> sample_sides(const PyramidLevel& level) {
   return sides;
 }
 
-SideChange compare_sides(const EdgeSides& host, const ViewGeometry& view, size_t e) {
-  const EdgeSides& there = (*view.sides)[e];
-  const float tolerance = kGrayTolerance + kGrayShare * float(host.bright - host.dark);
-  const float share = 1 / float(view.gain);
-  return {std::abs(float(there.dark) * share - float(host.dark)) > tolerance,
-          std::abs(float(there.bright) * share - float(host.bright)) > tolerance};
-}
-
-Hypothesis weigh(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, Guess guess,
-                 double max_idepth, const EdgeMapParams& params) {
-  thread_local std::vector<Look> looks;
+Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Guess guess, double max_idepth,
+                 const EdgeMapParams& params) {
+  thread_local std::vector<LookGroup> looks;
+  looks.resize(set.groups.size());
+  forget(&looks);
   Hypothesis h;
   for (int pass = guess == Guess::kRough ? 0 : 1; pass < kLooks; ++pass) {
-    h = Hypothesis{};
+    EquationSums sums;
     h.idepth = idepth;
-    double A = 0, b = 0;  // of A (rho - idepth) = b
-    project(sight, views, idepth, params.views, &looks);
-    h.in_view = int(looks.size());
-    for (Look& look : looks) {
-      compare_with_edge(sight, views[look.view], idepth, kReachPx[pass], &look);
-      if (!look.found) {
-        h.cost += 1;
-        continue;
-      }
-      A += look.slope * look.slope;
-      b += look.slope * look.residual;
-      ++h.views;
-      h.informative += std::abs(look.slope) * idepth >= kMinMotionPx;
-      h.cost += std::min(1.0, std::pow(look.residual / kReachPx[kLooks - 1], 2));
-      h.dark_differs += look.change.dark, h.bright_differs += look.change.bright;
-    }
-    h.information = A / (kEdgeSigmaPx * kEdgeSigmaPx);
+    if (!set.views.empty())
+      h.in_view = look_at_views(sight, set, idepth, kReachPx[pass], params.views, looks.data(), &sums);
+    h.views = count(sums.views);
+    h.informative = count(sums.informative);
+    h.dark_differs = count(sums.dark_differs), h.bright_differs = count(sums.bright_differs);
+    h.cost = sums.cost;
+    h.information = sums.A / (kEdgeSigmaPx * kEdgeSigmaPx);
     if (h.views < params.min_views) return h;
-    if (pass < kLooks - 1 && A > 0) idepth = std::clamp(idepth + b / A, 0.0, max_idepth);
+    if (pass < kLooks - 1 && sums.A > 0) idepth = std::clamp(idepth + sums.b / sums.A, 0.0, max_idepth);
   }
   return h;
 }

@@ -2,6 +2,8 @@
 #pragma once
 // Evidence of the other images for one inverse depth of one edge pixel.
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "sight_line.h"
@@ -40,8 +42,8 @@ struct Hypothesis {
 struct EdgeSight {
   Eigen::Vector2d px, normal;
   EdgeSides sides;
-  /// Sight line in each view.
-  std::vector<SightLine> lines;
+  /// Sight lines in the groups of views.
+  std::vector<SightGroup> lines;
 };
 
 /// Accuracy of an inverse depth before it is refined.
@@ -54,15 +56,19 @@ enum class Guess {
 
 /// Fits `idepth` to the nearest edges in all views and collects their evidence. Stops early if too few views
 /// show an edge (then views < params.min_views).
-Hypothesis weigh(const EdgeSight& sight, const std::vector<ViewGeometry>& views, double idepth, Guess guess,
-                 double max_idepth, const EdgeMapParams& params);
+Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Guess guess, double max_idepth,
+                 const EdgeMapParams& params);
 
-/// Whether an edge of another image may be that of the host, given its direction (dark to bright).
+/// Whether an edge of another image may be that of the host, whose normal (dark to bright) is expected to
+/// look like this there: the host's, turned by ViewGeometry::turn.
+inline bool is_like_direction(double normal_x, double normal_y, const EdgePixel& e) {
+  constexpr double kMinCosine = 0.75;  // 41 degrees: edges rotate in the image as the camera passes them
+  return normal_x * double(e.nx) + normal_y * double(e.ny) >= kMinCosine;
+}
 inline bool is_like_direction(const ViewGeometry& view, const Eigen::Vector2d& normal_host,
                               const EdgePixel& e) {
-  constexpr double kMinCosine = 0.75;  // 41 degrees: edges rotate in the image as the camera passes them
   const Eigen::Vector2d expected = view.turn * normal_host;
-  return expected.x() * double(e.nx) + expected.y() * double(e.ny) >= kMinCosine;
+  return is_like_direction(expected.x(), expected.y(), e);
 }
 
 /// Sides of an edge pixel that look different from those of the host.
@@ -70,6 +76,14 @@ struct SideChange {
   bool dark = false, bright = false;
 };
 /// Compares the sides of edge pixel `e` of the view with those of the host.
-SideChange compare_sides(const EdgeSides& host, const ViewGeometry& view, size_t e);
+inline SideChange compare_sides(const EdgeSides& host, const ViewGeometry& view, size_t e) {
+  constexpr float kGrayTolerance = 12;  // gray levels: noise, and texture next to the edge
+  constexpr float kGrayShare = 0.4f;    // of the step: a side differs when it is off by more
+  const EdgeSides& there = (*view.sides)[e];
+  const float tolerance = kGrayTolerance + kGrayShare * float(host.bright - host.dark);
+  const float share = view.inverse_gain;
+  return {std::abs(float(there.dark) * share - float(host.dark)) > tolerance,
+          std::abs(float(there.bright) * share - float(host.bright)) > tolerance};
+}
 
 }  // namespace edgevo

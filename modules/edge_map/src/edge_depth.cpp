@@ -29,9 +29,13 @@ class DepthSearch {
   DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
               const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params,
               std::vector<TracedPixel>* trace)
-      : level_(host.finest()), sides_(sides), max_idepth_(max_idepth), params_(params), trace_(trace) {
+      : level_(host.finest()),
+        sides_(sides),
+        max_idepth_(max_idepth),
+        params_(params),
+        trace_(trace),
+        set_(pinhole, views) {
     if (trace_) trace_->assign(level_.edges.pixels.size(), {});
-    for (const EdgeView& v : views) views_.emplace_back(pinhole, v);
   }
 
   std::vector<EdgePiece> run() {
@@ -44,6 +48,7 @@ class DepthSearch {
  private:
   void follow(const EdgeChain& chain) {
     std::vector<ChainNode> nodes;
+    nodes.reserve(size_t(chain.length() / params_.step_px) + 1);
     int last_search = -kSearchEveryPx;
     for (int i = chain.begin; i < chain.end; i += params_.step_px) {
       look_from(i);
@@ -64,8 +69,7 @@ class DepthSearch {
     sight_.px = e.position().cast<double>();
     sight_.normal = e.normal().cast<double>();
     sight_.sides = sides_[size_t(i)];
-    sight_.lines.clear();
-    for (const ViewGeometry& v : views_) sight_.lines.emplace_back(v, sight_.px);
+    look_along(set_, sight_.px, sight_.normal, &sight_.lines);
   }
 
   bool is_supported(const Hypothesis& h) const {
@@ -73,8 +77,11 @@ class DepthSearch {
   }
 
   void try_out(double idepth, Guess guess, ChainNode* node) const {
-    const Hypothesis h = weigh(sight_, views_, idepth, guess, max_idepth_, params_);
-    if (is_supported(h) && h.informative > 0) node->hypotheses.push_back(h);
+    const Hypothesis h = weigh(sight_, set_, idepth, guess, max_idepth_, params_);
+    if (is_supported(h) && h.informative > 0) {
+      if (node->hypotheses.empty()) node->hypotheses.reserve(kMaxHypotheses);
+      node->hypotheses.push_back(h);
+    }
     reached(node->edge_pixel, h.views < params_.min_views ? EdgeStage::kFewViews
                               : !is_supported(h)          ? EdgeStage::kNoSupport
                               : h.informative == 0        ? EdgeStage::kNoMotion
@@ -88,8 +95,8 @@ class DepthSearch {
   void search(ChainNode* node) const {
     std::vector<double> idepths;
     int searched = 0;
-    for (size_t v = 0; v < views_.size() && searched < kSearchedViews; ++v)
-      searched += find_crossings(sight_, views_[v], sight_.lines[v], max_idepth_, &idepths);
+    for (size_t v = 0; v < set_.views.size() && searched < kSearchedViews; ++v)
+      searched += find_crossings(sight_, set_.views[v], max_idepth_, &idepths);
     for (const double idepth : distinct(std::move(idepths))) try_out(idepth, Guess::kRough, node);
   }
 
@@ -117,14 +124,14 @@ class DepthSearch {
     std::sort(hypotheses->begin(), hypotheses->end(), [](const Hypothesis& a, const Hypothesis& b) {
       return a.cost != b.cost ? a.cost < b.cost : a.idepth < b.idepth;
     });
-    std::vector<Hypothesis> best;
+    auto best_end = hypotheses->begin();
     for (const Hypothesis& h : *hypotheses) {
-      const bool is_there = std::any_of(best.begin(), best.end(), [&](const Hypothesis& b) {
+      const bool is_there = std::any_of(hypotheses->begin(), best_end, [&](const Hypothesis& b) {
         return std::abs(b.idepth - h.idepth) < kSameIdepth * b.idepth;
       });
-      if (!is_there && int(best.size()) < kMaxHypotheses) best.push_back(h);
+      if (!is_there && best_end - hypotheses->begin() < kMaxHypotheses) *best_end++ = h;
     }
-    *hypotheses = std::move(best);
+    hypotheses->erase(best_end, hypotheses->end());
   }
 
   // Labels the nodes and smooths their depths.
@@ -178,7 +185,7 @@ class DepthSearch {
   // Whether views see an edge there, and no evidence that it is nearer or farther.
   bool is_shown(const EdgeNode& node, double idepth) {
     look_from(node.edge_pixel);
-    const Hypothesis h = weigh(sight_, views_, idepth, Guess::kCarriedAlong, max_idepth_, params_);
+    const Hypothesis h = weigh(sight_, set_, idepth, Guess::kCarriedAlong, max_idepth_, params_);
     return is_supported(h) &&
            (node.idepth > 0 ||
             std::abs(h.idepth - idepth) <
@@ -220,7 +227,7 @@ class DepthSearch {
   const double max_idepth_;
   const EdgeMapParams& params_;
   std::vector<TracedPixel>* trace_;  // may be null
-  std::vector<ViewGeometry> views_;
+  ViewSet set_;
   EdgeSight sight_;  // of the current pixel
   std::vector<FinalChain> chains_;
   std::vector<EdgePiece> pieces_;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/simd.h"
+
 namespace edgevo {
 namespace {
 
@@ -50,35 +52,47 @@ Segment visible_segment(const Pinhole& c, const SightLine& line, double max_idep
 }
 
 // Position at which the line crosses the tangent of an edge pixel; negative if it does not do so nearby.
-double crossing(const EdgeSight& sight, const ViewGeometry& view, const Segment& segment, double s,
-                size_t j) {
+// `normal`: that of the host's edge, as seen in the view.
+double crossing(const EdgeSight& sight, const ViewGeometry& view, const Eigen::Vector2d& normal,
+                const Segment& segment, double s, size_t j) {
   const EdgePixel& e = view.level->edges.pixels[j];
+  if (!is_like_direction(normal.x(), normal.y(), e)) return -1;
   const Eigen::Vector2d n = e.normal().cast<double>();
   const double sine = n.dot(segment.direction);
-  if (std::abs(sine) < kMinCrossing || !is_like_direction(view, sight.normal, e)) return -1;
+  if (std::abs(sine) < kMinCrossing) return -1;
   const double at = n.dot(e.position().cast<double>() - segment.start) / sine;
   if (std::abs(at - s) > kMaxSlidePx) return -1;
   const SideChange change = compare_sides(sight.sides, view, j);
   return change.dark && change.bright ? -1 : at;
 }
 
-}  // namespace
+// Pixels to go without missing an edge, by the squared distance of the nearest one; 0: it is near.
+std::vector<double> make_steps() {
+  constexpr int kMostSquared = NearestField::kMaxRadius * NearestField::kMaxRadius + 1;
+  std::vector<double> steps;
+  for (int square = 0; square <= kMostSquared; ++square) {
+    const double distance = std::sqrt(double(square));
+    steps.push_back(distance > kNearPx ? std::max(1.0, distance - kNearPx) : 0);
+  }
+  return steps;
+}
 
-bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line,
-                    double max_idepth, std::vector<double>* idepths) {
-  const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
-  if (segment.length < kMinLengthPx) return false;
+EDGEVO_WIDE_CLONES void walk_along(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line,
+                                   const Segment& segment, double max_idepth, const double* steps,
+                                   std::vector<double>* idepths) {
+  const Eigen::Vector2d normal = view.turn * sight.normal;
+  const NearestField& field = view.level->field;
   double last = -kStepPast;
   for (double s = 0; s <= segment.length;) {
     const Eigen::Vector2d p = segment.start + s * segment.direction;
-    const int square = view.level->field.squared_distance(float(p.x()), float(p.y()));
-    const double distance = std::sqrt(double(square));
-    if (distance > kNearPx) {
-      s += std::max(1.0, distance - kNearPx);
+    const float x = float(p.x()), y = float(p.y());
+    const double step = steps[field.squared_distance(x, y)];
+    if (step > 0) {
+      s += step;
       continue;
     }
-    const int j = view.level->field.nearest(float(p.x()), float(p.y()));
-    const double at = crossing(sight, view, segment, s, size_t(j));
+    const int j = field.nearest_at(int(x + 0.5f), int(y + 0.5f));
+    const double at = crossing(sight, view, normal, segment, s, size_t(j));
     if (at >= 0 && at <= segment.length && at > last + kStepPast) {
       const double idepth = line.idepth_at(segment.start + at * segment.direction, segment.direction);
       if (idepth > 0 && idepth <= max_idepth) idepths->push_back(idepth);
@@ -86,6 +100,17 @@ bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, const Sigh
     }
     s += kStepPast;
   }
+}
+
+}  // namespace
+
+bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, double max_idepth,
+                    std::vector<double>* idepths) {
+  static const std::vector<double> steps = make_steps();
+  const SightLine line(view, sight.px);
+  const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
+  if (segment.length < kMinLengthPx) return false;
+  walk_along(sight, view, line, segment, max_idepth, steps.data(), idepths);
   return true;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Projection of the ray of a host pixel into another image, as a function of its inverse depth.
+// Projection of the ray of a host pixel into other images, as a function of its inverse depth.
 #include <Eigen/Core>
+#include <vector>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/edge_map/edge_depth.h"
@@ -20,7 +21,8 @@ struct ViewGeometry {
   Eigen::Vector3d e;
   /// Rotation of image directions about the optical axis.
   Eigen::Matrix2d turn;
-  double gain;
+  /// One over the brightness of the view over that of the host.
+  float inverse_gain;
 };
 
 /// Projected ray p(rho) = (h + rho e)_xy / (h + rho e)_z, pixels.
@@ -44,5 +46,31 @@ struct SightLine {
 
   Eigen::Vector3d h, e;
 };
+
+/// Four doubles, of four views: one register with AVX2, two without.
+using FourViews = double __attribute__((vector_size(32)));
+constexpr size_t kViewsAtOnce = 4;
+
+/// ViewGeometry of four views. H and turn row by row.
+struct alignas(32) ViewGroup {
+  FourViews H[9], e[3], turn[4];
+};
+
+/// Sight lines of a host pixel in four views, and the normal of its edge as seen there.
+struct alignas(32) SightGroup {
+  FourViews h[3], normal[2];
+};
+
+/// All views of a host, also in groups. The last group is filled up with views that contain nothing.
+struct ViewSet {
+  ViewSet(const Pinhole& pinhole, const std::vector<EdgeView>& all);
+
+  std::vector<ViewGeometry> views;
+  std::vector<ViewGroup> groups;
+};
+
+/// The sight lines in all views, with the bits of SightLine and of a product with ViewGeometry::turn.
+void look_along(const ViewSet& set, const Eigen::Vector2d& px, const Eigen::Vector2d& normal,
+                std::vector<SightGroup>* sights);
 
 }  // namespace edgevo

@@ -100,22 +100,37 @@ void mark_narrow(const MaximaRows& rows, int width, uint8_t* mask) {
 // In bytes of 0, kWeak and kEdge: the lowest bit of those that are kWeak.
 constexpr uint64_t kLowestBits = 0x0101010101010101;
 inline uint64_t weak_among(uint64_t bytes) { return bytes & ~(bytes >> 1) & kLowestBits; }
-inline uint64_t strong_among(uint64_t bytes) { return bytes >> 1 & kLowestBits; }
 static_assert(kWeak == 1 && kEdge == 255, "their second bit differs");
 
-// Positions of the strong marks in the mask. Most of it is empty, so eight pixels are tested at a time.
-std::vector<int> strong_marks(const Plane<uint8_t>& mask) {
-  std::vector<int> strong;
-  const int size = mask.width() * mask.height();
-  const uint8_t* m = mask.row(0);
-  strong.reserve(size_t(size) / 16);
-  for (int at = 0; at < size; at += 8) {
-    uint64_t eight = 0;
-    std::memcpy(&eight, m + at, size_t(std::min(8, size - at)));
-    for (uint64_t bits = strong_among(eight); bits != 0; bits &= bits - 1)
-      strong.push_back(at + __builtin_ctzll(bits) / 8);
+// Thirty-two marks; a comparison gives -1 where it holds, else 0.
+constexpr int kMarks = 32;
+using Marks = uint8_t __attribute__((vector_size(kMarks)));
+using MarkMask = int8_t __attribute__((vector_size(kMarks)));
+using MarkWords = uint64_t __attribute__((vector_size(kMarks)));
+
+// Which of the marks from `m` on are strong and touch a weak one.
+inline MarkMask beginnings(const uint8_t* m, int width) {
+  const MarkMask strong = load<Marks>(m) == kEdge;
+  MarkMask is_weak = (load<Marks>(m - 1) == kWeak) | (load<Marks>(m + 1) == kWeak);
+  for (const uint8_t* row : {m - width, m + width})
+    is_weak |=
+        (load<Marks>(row - 1) == kWeak) | (load<Marks>(row) == kWeak) | (load<Marks>(row + 1) == kWeak);
+  return strong & is_weak;
+}
+
+// Appends the positions of the strong marks with a weak neighbour: what is linked begins there. Few of the
+// strong ones have any. The border has no marks, so that whole rows may be looked at one after another;
+// returns where the marks end that could be looked at.
+EDGEVO_WIDE_CLONES int list_beginnings(const uint8_t* mask, int width, int size, std::vector<int>* found) {
+  int at = width;
+  for (; at + kMarks + width + 1 <= size; at += kMarks) {
+    const MarkWords words = MarkWords(beginnings(mask + at, width));
+    if ((words[0] | words[1] | words[2] | words[3]) == 0) continue;
+    for (int w = 0; w < kMarks / 8; ++w)
+      for (uint64_t bits = words[w] & kLowestBits; bits != 0; bits &= bits - 1)
+        found->push_back(at + 8 * w + __builtin_ctzll(bits) / 8);
   }
-  return strong;
+  return at;
 }
 
 // The three pixels above a pixel, and in the upper half the three below it, as the lower bytes of each half.
@@ -160,7 +175,12 @@ Plane<uint8_t> canny(const Gradient& gradient, float low, float high) {
 void keep_linked(Plane<uint8_t>* mask) {
   const int width = mask->width();
   uint8_t* const m = mask->row(0);
-  std::vector<int> open = strong_marks(*mask);
+  const int size = width * mask->height();
+  std::vector<int> open;
+  open.reserve(size_t(size) / 32);
+  // At the end of the mask all strong ones.
+  for (int at = list_beginnings(m, width, size, &open); at < size; ++at)
+    if (m[at] == kEdge) open.push_back(at);
   const auto promote = [&](int at) {
     m[at] = kEdge;
     open.push_back(at);
@@ -175,7 +195,7 @@ void keep_linked(Plane<uint8_t>* mask) {
       promote(at + (byte < 4 ? byte - width : byte - 4 + width) - 1);
     }
   }
-  clear_weak(m, width * mask->height());
+  clear_weak(m, size);
 }
 
 }  // namespace edgevo

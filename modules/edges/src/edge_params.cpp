@@ -14,7 +14,7 @@ void EdgeParams::visit(ParamVisitor& v) {
          "forest in OpenCV's format, or .onnx with a .yaml of the same name; empty: model of edgevo");
   v.text(kAdvanced, "folder", folder, {},
          "folder of probability images NAME.png for images NAME.*, as written by `edgevo edges`");
-  v.text(kAdvanced, "mask", mask, {}, "PNG of the size of the images; what is black there gives no edges");
+  v.text(kAdvanced, "mask", mask, {}, "PNG of the shape of the images; what is black there gives no edges");
   v.boolean(kAdvanced, "find_own_parts", find_own_parts, "find and mask what is fixed to the camera");
   v.integer(kAdvanced, "levels", levels, 1, 8, "levels of the image pyramid");
   v.integer(kAdvanced, "edge_levels", edge_levels, 1, 4,

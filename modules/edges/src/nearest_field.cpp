@@ -64,11 +64,10 @@ class KeyRows {
   int stride() const { return keys_.width(); }
   const int16_t* block(int b) const { return keys_.row(0) + kMargin + b * kBlock; }
 
-  // Notes an edge pixel. Returns where its ramp begins.
-  int note(int x, int y, int radius) {
+  // Notes an edge pixel, which reaches into the blocks `first` and `last`. Returns where its ramp begins.
+  int note(int x, int y, int radius, int first, int last) {
     uint8_t* used = &is_used_[size_t(y) * size_t(blocks_)];
-    used[std::max(x - radius, 0) / kBlock] = 1;
-    used[std::min((x + radius) / kBlock, blocks_ - 1)] = 1;
+    used[first] = used[last] = 1;
     return y * keys_.width() + kMargin + x - radius;
   }
   void lower(const std::vector<int>& begins, int radius) {
@@ -136,13 +135,18 @@ NearestField::NearestField(const ImageEdges& edges, int radius)
       index_(edges.width, edges.height) {
   const int width = edges.width, height = edges.height;
   KeyRows in_row(width, height);
-  std::vector<int> begins;
-  begins.reserve(edges.pixels.size());
-  for (size_t i = 0; i < edges.pixels.size(); ++i) {
-    const int x = std::clamp(int(edges.pixels[i].x + 0.5f), 0, width - 1);
-    const int y = std::clamp(int(edges.pixels[i].y + 0.5f), 0, height - 1);
+  // By column: the first and the last block into which an edge pixel reaches.
+  std::vector<std::array<int, 2>> reached(size_t(std::max(width, 0)));
+  for (int x = 0; x < width; ++x)
+    reached[size_t(x)] = {std::max(x - radius, 0) / kBlock,
+                          std::min((x + radius) / kBlock, in_row.blocks() - 1)};
+  const size_t count = edges.pixels.size();
+  std::vector<int> begins(count);
+  for (size_t i = 0; i < count; ++i) {
+    const EdgePixel& e = edges.pixels[i];
+    const int x = std::clamp(int(e.x + 0.5f), 0, width - 1), y = std::clamp(int(e.y + 0.5f), 0, height - 1);
     index_.at(x, y) = int32_t(i);
-    begins.push_back(in_row.note(x, y, radius));
+    begins[i] = in_row.note(x, y, radius, reached[size_t(x)][0], reached[size_t(x)][1]);
   }
   in_row.lower(begins, radius);
   std::vector<int16_t> share;

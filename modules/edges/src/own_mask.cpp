@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "own_mask.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
@@ -12,6 +13,20 @@
 
 namespace edgevo {
 
+namespace {
+
+// Whether one size is the other one times a scale, to the rounding to whole pixels.
+bool is_same_shape(const cv::Size& a, const cv::Size& b) {
+  if (a == b) return true;
+  if (a.width == b.width || a.height == b.height) return false;
+  const cv::Size& large = a.width > b.width ? a : b;
+  const double across = double(std::min(a.width, b.width)) / large.width,
+               down = double(std::min(a.height, b.height)) / large.height;
+  return std::abs(across - down) <= 0.5 / large.width + 0.5 / large.height;
+}
+
+}  // namespace
+
 Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))  // OpenCV would print a warning of its own
@@ -19,13 +34,18 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (image.empty())
     throw InputError(path, "cannot be read as an image", "give a PNG, black where there are to be no edges");
-  if (image.cols != width || image.rows != height)
+  const cv::Size size(width, height);
+  if (!is_same_shape(image.size(), size))
     throw InputError(path,
                      "is " + std::to_string(image.cols) + "x" + std::to_string(image.rows) +
                          " but the images are " + std::to_string(width) + "x" + std::to_string(height),
-                     "give a mask of the size of the images as they were taken");
+                     "give a mask of the size of the images, or of that size times a scale");
+  // Images may be scaled (--image-scale), or have been when the mask was found. A pixel that is partly black
+  // gives no edges.
   Plane<uint8_t> mask(width, height);
-  cv::Mat(image == 0).copyTo(as_mat(mask));
+  cv::Mat share = image == 0;
+  if (share.size() != size) cv::resize(share, share, size, 0, 0, cv::INTER_AREA);
+  cv::Mat(share > 0).copyTo(as_mat(mask));
   const int black = cv::countNonZero(as_mat(mask));
   if (black == 0 || black == width * height)
     throw InputError(path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",

@@ -10,8 +10,9 @@
 
 namespace edgevo {
 
-/// Reads a mask for images of a size: 255 where the file is black, else 0. Throws InputError if the file
-/// cannot be read, has another size, or leaves nothing or everything out.
+/// Reads a mask for images of a size: 255 where the file is black, else 0. A file of the same shape is scaled
+/// to it. Throws InputError if the file cannot be read, has another shape, or leaves nothing or everything
+/// out.
 Plane<uint8_t> read_mask(const std::string& path, int width, int height);
 
 /// An area of level `level` of the rectified images in the raw ones.

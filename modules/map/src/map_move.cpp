@@ -71,6 +71,7 @@ class LensMove {
 void move_depths(const KeyframeMove& move, Keyframe* k) {
   for (size_t i = 0; i < k->points.size(); ++i) {
     MapPoint& p = k->points[i];
+    const double before = p.idepth;
     p.idepth_sigma /= move.length_ratio;
     if (move.points.empty()) {
       p.idepth /= move.length_ratio;
@@ -78,6 +79,9 @@ void move_depths(const KeyframeMove& move, Keyframe* k) {
       p.px = move.points[i].px;
       p.idepth = move.points[i].idepth;
     }
+    // A point at infinity has no ratio of its own.
+    p.known_idepth *= before > 0 ? p.idepth / before : 1 / move.length_ratio;
+    p.known_sigma /= move.length_ratio;
   }
   for (ImmaturePoint& p : k->immature) {
     p.idepth /= move.length_ratio;

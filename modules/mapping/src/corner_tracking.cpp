@@ -57,17 +57,26 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
   const int flags = is_predicted ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
   const cv::Size window(kPatchPx, kPatchPx);
   const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations, kLeastStepPx);
-  Corners back = from;
   std::vector<uchar> ok, ok_back;
-  std::vector<float> error;
-  cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, error, window, kLevels, stop, flags);
-  cv::calcOpticalFlowPyrLK(image_to, image_from, *to, back, ok_back, error, window,
-                           is_predicted ? kLevelsBack : kLevels, stop, flags);
+  // The differences that are left are not needed; they cost as much as two iterations.
+  cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, cv::noArray(), window, kLevels, stop, flags);
+  // Only what was found is followed back.
+  std::vector<size_t> there;
+  Corners start, back, target;
   for (size_t i = 0; i < from.size(); ++i) {
     const cv::Point2f& p = (*to)[i];
     const bool inside = p.x >= 0 && p.y >= 0 && p.x < float(image_to.cols) && p.y < float(image_to.rows);
-    found[i] = ok[i] && ok_back[i] && inside && cv::norm(back[i] - from[i]) < kMaxForwardBackwardPx;
+    if (!ok[i] || !inside) continue;
+    there.push_back(i);
+    start.push_back(p);
+    target.push_back(from[i]);
   }
+  if (there.empty()) return found;
+  back = target;
+  cv::calcOpticalFlowPyrLK(image_to, image_from, start, back, ok_back, cv::noArray(), window,
+                           is_predicted ? kLevelsBack : kLevels, stop, flags);
+  for (size_t k = 0; k < there.size(); ++k)
+    found[there[k]] = ok_back[k] && cv::norm(back[k] - target[k]) < kMaxForwardBackwardPx;
   return found;
 }
 

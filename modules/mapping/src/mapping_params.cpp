@@ -55,6 +55,10 @@ void WindowParams::visit(ParamVisitor& v) {
             "drop matches many standard deviations off after the adjustment");
   v.boolean(kExperimental, "drop_missed_points", drop_missed_points,
             "drop points that several keyframes should have seen and did not");
+  v.boolean(
+      kExperimental, "pass_on_points", pass_on_points,
+      "pass the points of a keyframe that leaves the window on to the newest one, with what is known of "
+      "their depth");
   v.boolean(kExperimental, "adjust_corners", adjust_corners,
             "use pairs of corners (group corners) as residuals of the bundle adjustment");
 }

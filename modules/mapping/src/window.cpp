@@ -21,10 +21,11 @@ constexpr size_t kMaxNeighbours = 4;
 
 }  // namespace
 
-Window::Window(Map* map, const Pinhole& pinhole, const WindowParams& params,
+Window::Window(Map* map, const Rectification& rectification, const WindowParams& params,
                const AssociationParams& association)
     : map_(map),
-      pinhole_(pinhole),
+      pinhole_(rectification.target()),
+      cells_(rectification, kActivationCellPx),
       params_(params),
       association_(association),
       adjuster_(make_bundle_adjuster(params.solver)) {}
@@ -88,8 +89,10 @@ const Keyframe& Window::remove_oldest() {
   std::vector<NeighbourPose> neighbours = neighbours_of_oldest();
   prior_ = marginalise_oldest(&neighbours);
   bootstrap_gauge_ = false;
+  const std::vector<MapPoint> passed_on = points_to_pass_on();
   const Keyframe& oldest = map_->marginalise_oldest(std::move(neighbours));
   for (Keyframe& host : keyframes()) drop_matches_in(oldest.id, &host);
+  newest().points.insert(newest().points.end(), passed_on.begin(), passed_on.end());
   return oldest;
 }
 

@@ -33,30 +33,30 @@ std::vector<Window::Sight> Window::in_sight(const ImmaturePoint& candidate,
 }
 
 // Number of active points by cell of the newest image.
-std::vector<int> Window::count_active(const CellGrid& grid) const {
-  std::vector<int> count(grid.size(), 0);
+std::vector<int> Window::count_active() const {
+  std::vector<int> count(cells_.size(), 0);
   Eigen::Vector2d px;
   for (const Keyframe& host : keyframes()) {
     const SE3 T_newest_host = relative_pose(newest(), host);
     for (const MapPoint& p : host.points) {
       if (host.id == newest().id)
-        ++count[grid.index(p.px.x(), p.px.y())];
+        ++count[cells_.index(p.px.x(), p.px.y())];
       else if (in_view(pinhole_, T_newest_host, p.px, p.idepth, &px))
-        ++count[grid.index(px.x(), px.y())];
+        ++count[cells_.index(px.x(), px.y())];
     }
   }
   return count;
 }
 
 // Adds the immature points of a keyframe that have enough depths and lie in the newest image.
-void Window::add_candidates(const ActivationPolicy& policy, const CellGrid& grid, CandidateHost* host,
+void Window::add_candidates(const ActivationPolicy& policy, CandidateHost* host,
                             std::vector<Candidate>* candidates) const {
   const SE3 T_newest_host = relative_pose(newest(), *host->keyframe);
   Eigen::Vector2d px;
   for (ImmaturePoint& p : host->keyframe->immature) {
     const bool open = !p.dead && !p.tentative && p.good >= policy.min_depths;
     if (open && in_view(pinhole_, T_newest_host, p.px, p.idepth, &px))
-      candidates->push_back({host, &p, grid.index(px.x(), px.y())});
+      candidates->push_back({host, &p, cells_.index(px.x(), px.y())});
   }
 }
 
@@ -104,14 +104,13 @@ bool Window::try_activate(const ActivationPolicy& policy, const Candidate& c) {
 int Window::activate(const ActivationPolicy& policy) {
   const int budget = std::min(policy.budget, params_.max_points - active_points());
   if (budget <= 0 || keyframes().size() < 2) return 0;
-  const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
   // The newest hosts first: their points will be seen longest.
   std::vector<CandidateHost> hosts;
   for (auto k = keyframes().rbegin(); k != keyframes().rend(); ++k) hosts.push_back({&*k, views_from(*k)});
   std::vector<Candidate> candidates;
-  for (CandidateHost& host : hosts) add_candidates(policy, grid, &host, &candidates);
+  for (CandidateHost& host : hosts) add_candidates(policy, &host, &candidates);
 
-  std::vector<int> points_in_cell = count_active(grid);
+  std::vector<int> points_in_cell = count_active();
   int activated = 0;
   for (int per_cell = 1; per_cell <= kPointsPerCell; ++per_cell)
     for (Candidate& c : candidates) {

@@ -51,7 +51,12 @@ void Window::add_point(int host, MapPoint* point, Adjustment* a) const {
     problem.observations.push_back(
         {index, target, o.match.px, o.match.normal, o.match.inv_sigma_normal, o.match.inv_sigma_tangent});
   }
-  problem.points.push_back({host, pinhole_.ray(point->px), point->idepth, is_depth_fixed(*point)});
+  BaPoint p{host, pinhole_.ray(point->px), point->idepth, is_depth_fixed(*point)};
+  if (point->known_sigma > 0) {
+    p.known_idepth = point->known_idepth;
+    p.known_information = 1 / (point->known_sigma * point->known_sigma);
+  }
+  problem.points.push_back(p);
   a->points.push_back(point);
 }
 

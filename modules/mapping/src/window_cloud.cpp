@@ -28,8 +28,7 @@ std::vector<CloudPoint> every_nth(const std::vector<CloudPoint>& points, size_t 
 }  // namespace
 
 int Window::points_wanted() const {
-  const CellGrid grid(pinhole_.width, pinhole_.height, kActivationCellPx);
-  return int(std::min(kEnoughCloud, size_t(kSparseShare * grid.size())));
+  return int(std::min(kEnoughCloud, size_t(kSparseShare * cells_.size())));
 }
 
 int Window::points_lacking() const { return std::max(0, points_wanted() - int(cloud(newest()).size())); }

@@ -2,13 +2,15 @@
 #pragma once
 // Writes MRPT objects to a gzip file (.rawlog, .simplemap, .3Dscene), every write checked.
 //
-// mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Each
-// object is serialised to memory first, so that an InputError never passes through MRPT's code, which would
-// rewrite it.
+// mrpt::io::CFileGZOutputStream ignores the result of its close, which is where a full disk shows. Objects
+// are serialised to memory first, so that an InputError never passes through MRPT's code, which would rewrite
+// it. A quarter of a megabyte becomes one member of the file, which gzip allows any number of, compressed in
+// one call (libdeflate): half of the work of zlib.
+#include <libdeflate.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CSerializable.h>
-#include <zlib.h>
 
+#include <memory>
 #include <string>
 
 #include "edgevo/core/output_file.h"
@@ -29,11 +31,12 @@ class ObjectFile {
   void close();
 
  private:
-  void deflate_bytes(const void* bytes, size_t count, int flush);
+  void write_member();
 
   OutputFile file_;
-  mrpt::io::CMemoryStream memory_;
-  z_stream gzip_{};
+  mrpt::io::CMemoryStream memory_;  // objects that are not in the file yet
+  std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> gzip_;
+  std::string member_;
   bool is_open_ = true;
 };
 

@@ -61,9 +61,10 @@ OccupancyGrid empty_grid(const octomap::OcTree& tree) {
   const auto cells = [&](int axis) {
     return std::max<int64_t>(1, std::llround((high[axis] - low[axis]) / grid.resolution));
   };
+  const double least = grid.resolution * std::sqrt(double(cells(0) * cells(1)) / double(kMostCells));
   if (cells(0) * cells(1) > kMostCells)
     throw InputError("grid", "would have " + std::to_string(cells(0) * cells(1)) + " cells",
-                     "set a larger occupancy.resolution");
+                     "give a resolution of " + fixed(1.01 * least, 6) + " or more");
   grid.width = int(cells(0)), grid.height = int(cells(1));
   grid.origin_x = low[0], grid.origin_y = low[1];
   grid.cells.assign(size_t(grid.width) * size_t(grid.height), GridCell::kUnknown);

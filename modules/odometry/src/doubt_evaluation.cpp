@@ -15,26 +15,29 @@ constexpr double kSigmasOfOneMap = 2.5, kSigmasOfANewMap = 1;
 
 }  // namespace
 
-DoubtEnded evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before, const SureView& now,
-                          const std::function<double(int)>& scale_of, std::string* found) {
+DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before,
+                               const SureView& now, const std::function<double(int)>& scale_of) {
   const bool is_new_map = before && before->segment != now.segment;
-  DoubtEnded ended;
+  DoubtEvaluation found;
+  DoubtEnded& ended = found.ended;
   // There is nothing before the first map; and a view that is still in use is one of this map.
   ended.is_evaluated = !before || is_new_map || before->reference == now.reference;
-  if (!before || before->reference == now.reference) return ended;
+  if (!before || before->reference == now.reference) return found;
   if (!is_new_map) ended.last_sure_keyframe = before->reference->keyframe_id;
+  UnitComparison& unit = found.unit.emplace();
   const auto link = link_views(pinhole, before->reference->cloud, now.reference->cloud);
-  if (!link) {
-    *found = "sure again, but nothing links the map to that before the doubt";
-    return ended;
-  }
+  if (!link) return found;
   ended.is_evaluated = true;
-  const double ratio = link->scale * scale_of(before->segment) / scale_of(now.segment);
+  unit = {link->scale * scale_of(before->segment) / scale_of(now.segment), link->sigma};
   const double sigmas = is_new_map ? kSigmasOfANewMap : kSigmasOfOneMap;
-  if (std::abs(std::log(ratio)) > sigmas * link->sigma) ended.length_ratio = ratio;
-  *found = "sure again; lengths before over after the doubt: " + fixed(ratio, 3) + " +- " +
-           fixed(100 * link->sigma, 1) + " %";
-  return ended;
+  if (std::abs(std::log(unit.ratio)) > sigmas * unit.sigma) ended.length_ratio = unit.ratio;
+  return found;
+}
+
+std::string in_words(const UnitComparison& unit) {
+  if (!unit.is_linked()) return "nothing links the map to that before the doubt";
+  return "lengths before over after the doubt: " + fixed(unit.ratio, 3) + " +- " +
+         fixed(100 * unit.sigma, 1) + " %";
 }
 
 }  // namespace edgevo

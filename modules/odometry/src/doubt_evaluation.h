@@ -6,16 +6,28 @@
 #include <string>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/frame_evidence.h"
 #include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
 
+/// The end of a doubt.
+struct DoubtEvaluation {
+  /// What mapping makes of it.
+  DoubtEnded ended;
+  /// The unit of length before and after; nothing if there was nothing to compare.
+  std::optional<UnitComparison> unit;
+};
+
 /// Compares the map that is sure again, seen in `now`, with what it was `before` the doubt, by features that
 /// both views show (mapping/view_link.h). A new map was joined to the one before by its first two views: it
-/// is compared again, since its depths are better known. `scale_of`: world over map of a segment. `found`:
-/// the result in words; unchanged if there was nothing to compare. Cost: about 0.3 s.
-DoubtEnded evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before, const SureView& now,
-                          const std::function<double(int)>& scale_of, std::string* found);
+/// is compared again, since its depths are better known. `scale_of`: world over map of a segment. Cost: about
+/// 0.3 s.
+DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before,
+                               const SureView& now, const std::function<double(int)>& scale_of);
+
+/// The comparison in words, for the log.
+std::string in_words(const UnitComparison& unit);
 
 }  // namespace edgevo

@@ -80,12 +80,12 @@ double explained_share(const Pinhole& pinhole, const std::vector<CornerPair>& co
   return double(explained) / double(corners.size());
 }
 
-// The pose by the edges, unless it breaks the epipolar constraint of most corners: then the map is bent,
-// edges follow it, and each frame bends it further, while hundreds of corners agree on one motion. Its
-// rotation and direction hold then, and the edges give the length.
+// The pose by the edges, unless it breaks the epipolar constraint of a tenth of the corners that agree on one
+// motion: a pose that is right explains all of them but some. Then the map is bent, edges follow it, and each
+// frame bends it further. The rotation and direction of the corners hold, and the edges give the length.
 PoseCandidate hold_to_corners(const TrackingTask& task, const PoseCandidate& by_edges, const Track& track,
                               const SupportScorer& scorer) {
-  constexpr double kFewExplained = 0.5;
+  constexpr double kFewExplained = 0.9;
   // Of a length that changes at once, relative to constant speed: a bent map supports any.
   constexpr double kUnusualLikelihood = 0.85;
   if (!track.T_by_corners || scorer.is_lost(by_edges)) return by_edges;

@@ -19,10 +19,6 @@ namespace {
 constexpr int kMinFirstPoints = 100;
 constexpr int kMaxAgeKeyframes = 4;  // immature points older than this are dropped
 
-Eigen::Vector2d centre_of(const CellGrid& grid, int cell) {
-  return grid.cell * Eigen::Vector2d(cell % grid.columns + 0.5, cell / grid.columns + 0.5);
-}
-
 AdjustmentEvidence evidence_of(const WindowStats& stats) {
   AdjustmentEvidence evidence;
   evidence.cost_per_match = stats.cost_per_observation;
@@ -37,6 +33,7 @@ AdjustmentEvidence evidence_of(const WindowStats& stats) {
 Mapper::Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options)
     : rectification_(rectification),
       pinhole_(rectification.target()),
+      cells_(rectification, params.mapping.depth_filter.cell_px),
       params_(params.mapping),
       association_(params.association),
       gradient_patches_(params.alignment.photometric),
@@ -44,7 +41,7 @@ Mapper::Mapper(const Rectification& rectification, const OdometryParams& params,
       random_(Random::derive(options.seed, 2)),
       log_(options.log ? options.log : std::make_shared<MapLog>()),
       map_(std::make_unique<Map>(rectification, log_)),
-      window_(map_.get(), pinhole_, params.mapping.window, params.association),
+      window_(map_.get(), rectification, params.mapping.window, params.association),
       calibration_(rectification, params.camera),
       edge_mapper_(rectification, params.edge_map, options.own_threads, log_),
       corrected_images_(std::make_unique<RebuiltImages>(options.rebuild)) {}
@@ -54,7 +51,7 @@ Mapper::~Mapper() = default;
 
 std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   const TraceScope traced("first window");
-  window_ = Window(map_.get(), pinhole_, params_.window, association_);
+  window_ = Window(map_.get(), rectification_, params_.window, association_);
   tracking_check_ = {};
   unit_ = 1;
   add_first_keyframes(bootstrap);
@@ -106,9 +103,8 @@ void Mapper::smooth_depths() {
 
 std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
                                                 const std::vector<BootstrapCorner>& corners, bool is_last) {
-  const CellGrid grid(pinhole_.width, pinhole_.height, params_.depth_filter.cell_px);
   return make_immature_points(
-      keyframe, std::vector<bool>(grid.size(), false),
+      keyframe, cells_, std::vector<bool>(cells_.size(), false),
       [&](const Eigen::Vector2d& px) { return range_near(corners, is_last, px); }, params_.depth_filter,
       &random_);
 }
@@ -329,16 +325,16 @@ void Mapper::drop_old_points() {
 
 // Adds immature points to a keyframe where the map has none.
 void Mapper::seed_points(Keyframe* keyframe) {
-  IdepthPrior prior(pinhole_, params_.depth_filter, median_idepth_);
+  IdepthPrior prior(cells_, params_.depth_filter, median_idepth_);
   for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
   median_idepth_ = prior.median();
-  std::vector<bool> occupied(prior.grid().size());
-  for (int c = 0; c < prior.grid().size(); ++c)
-    occupied[c] = prior.occupied(c) || moving_.cover(centre_of(prior.grid(), c));
+  std::vector<bool> occupied(cells_.size());
+  for (int c = 0; c < cells_.size(); ++c) occupied[c] = prior.occupied(c) || moving_.cover(cells_.centre(c));
   DepthFilterParams wanted = params_.depth_filter;
   wanted.max_new_points = new_points_wanted();
   keyframe->immature = make_immature_points(
-      *keyframe, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, wanted, &random_);
+      *keyframe, cells_, occupied, [&](const Eigen::Vector2d& px) { return prior.range(px); }, wanted,
+      &random_);
 }
 
 void Mapper::publish(const Keyframe& keyframe) {

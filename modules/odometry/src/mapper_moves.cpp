@@ -44,8 +44,12 @@ void Mapper::calibrate_concurrently() {
   if (!calibration_.is_running()) return calibration_.begin(*map_, calibration_options());
   if (!calibration_.is_ready()) return;
   const std::optional<ImageCorrection> correction = calibration_.correction_found();
-  // By the time the window has changed, the first images are of no use any more.
-  if (correction && ++keyframes_prepared_ <= params_.window.keyframes && !is_prepared(*correction)) return;
+  // It is left to the frames that make no keyframe. By the time the window has changed, the first images are
+  // of no use any more.
+  if (correction && ++keyframes_prepared_ <= params_.window.keyframes) {
+    corrected_images_->prepare(map_->active(), *correction);
+    return;
+  }
   end_concurrent_calibration();
 }
 

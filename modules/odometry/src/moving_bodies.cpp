@@ -2,6 +2,7 @@
 #include "moving_bodies.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "edgevo/alignment/moving_group.h"
@@ -17,12 +18,18 @@ constexpr double kLeastArea = 0.003;     // of the image: less does no harm
 constexpr double kLeastNewArea = 0.015;  // of the image, when it is found
 constexpr double kMostArea = 0.6;        // of the image: more is no body in a scene
 constexpr size_t kMostPixels = 150;      // of a body, to follow it
+constexpr size_t kFewFollowed = 40;      // that have moved as it did
 constexpr double kTrimmed = 0.02;        // of a body's edges on each side: neighbours of the scene
 constexpr int kFewPoints = 60;           // that constrain a pose
 constexpr int kProbation = 4;            // frames
 constexpr int kRest = 3;                 // frames without a search, after a body that was none
 // Of a body from where a scene that stands still could be: poses and similarities are good to a pixel.
 constexpr double kProofPx = 3;
+// Next to a body, and growing with it: of the width, edges, and their share with its motion.
+constexpr int kStrips = 32;
+constexpr size_t kFewInStrip = 12;
+constexpr double kStripShare = 0.65, kForeignShare = 0.3;
+constexpr double kImpossiblePx = 2;  // of a strip in one step from where the scene could be
 constexpr double kSceneMovesPx = 6;  // while a body keeps its place in the image
 
 double area(const ImageBox& b) { return (b.right - b.left) * (b.bottom - b.top); }
@@ -46,15 +53,54 @@ bool is_worth_following(const ImageBox& box, const Pinhole& camera, double least
   return share > least && share < kMostArea;
 }
 
-std::vector<OrientedPixel> edges_in(const ImageEdges& edges, const ImageBox& box) {
-  std::vector<OrientedPixel> all, some;
+std::vector<OrientedPixel> all_edges_in(const ImageEdges& edges, const ImageBox& box) {
+  std::vector<OrientedPixel> all;
   for (const EdgePixel& e : edges.pixels)
     if (const Eigen::Vector2d px = e.position().cast<double>(); box.contains(px))
       all.push_back({px, e.normal()});
+  return all;
+}
+
+// As many as a body is followed by.
+std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& all) {
+  std::vector<OrientedPixel> some;
   if (all.size() <= kMostPixels) return all;
   for (size_t i = 0; i < kMostPixels; ++i) some.push_back(all[i * all.size() / kMostPixels]);
   return some;
 }
+
+ImageBox wider(const ImageBox& b, double px) {
+  return {b.left - px, b.top - px, b.right + px, b.bottom + px};
+}
+
+ImageBox joined(const ImageBox& a, const ImageBox& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right),
+          std::max(a.bottom, b.bottom)};
+}
+
+// Strips along the sides of a rectangle: outside, or inside with a negative width.
+std::array<ImageBox, 4> sides(const ImageBox& b, double width) {
+  const double w = std::abs(width), in = width < 0 ? w : 0;
+  return {{{b.left - w + in, b.top, b.left + in, b.bottom},
+           {b.right - in, b.top, b.right + w - in, b.bottom},
+           {b.left, b.top - w + in, b.right, b.top + in},
+           {b.left, b.bottom - in, b.right, b.bottom + w - in}}};
+}
+
+// A rectangle without a strip along one of its sides.
+ImageBox cut_off(ImageBox b, const ImageBox& strip) {
+  if (strip.right < b.right && strip.left <= b.left)
+    b.left = strip.right;
+  else if (strip.left > b.left && strip.right >= b.right)
+    b.right = strip.left;
+  else if (strip.bottom < b.bottom && strip.top <= b.top)
+    b.top = strip.bottom;
+  else if (strip.top > b.top && strip.bottom >= b.bottom)
+    b.bottom = strip.top;
+  return b;
+}
+
+double strip_width(const FramePyramid& frame) { return double(frame.finest().pinhole.width) / kStrips; }
 
 // The rectangle around the group's edges in the present image.
 ImageBox box_of(const MovingGroup& group) {
@@ -72,6 +118,50 @@ ImageBox box_of(const MovingGroup& group) {
 
 }  // namespace
 
+MovingBodies::Strip MovingBodies::strip(const ImageBox& box, const Body& body) {
+  Strip strip{box, {}};
+  for (const OrientedPixel& p : body.around)
+    if (box.contains(body.step(p.px))) strip.before.push_back(p);
+  return strip;
+}
+
+// Strips along the four sides of its area: those outside whose edges have moved as the body did are kept for
+// grow(), those inside whose edges have not are given back.
+void MovingBodies::look_around(const FramePyramid& frame, Body* body) {
+  const double w = strip_width(frame);
+  const auto share = [&](const Strip& strip) {
+    return strip.before.size() < kFewInStrip ? -1 : agreeing_share(frame.finest(), strip.before, body->step);
+  };
+  const ImageBox a = body->area, &b = body->box;
+  for (const ImageBox& inside : sides(a, -w)) {
+    const double found = share(strip(inside, *body));
+    if (found >= 0 && found < kForeignShare) body->area = joined(b, cut_off(body->area, inside));
+  }
+  for (const ImageBox& outside : sides(body->area, w)) {
+    Strip next = strip(outside, *body);
+    if (share(next) >= kStripShare) body->strips.push_back(std::move(next));
+  }
+}
+
+// Next to a body the scene may move as it does: in front of a wall, or far away while the camera only turns.
+void MovingBodies::grow(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth, Body* body) {
+  for (const Strip& strip : body->strips) {
+    const StaticComparison c =
+        compare_with_static(pinhole, T_cur_last, median_idepth, strip.before, body->step);
+    const ImageBox grown = joined(body->area, strip.box);
+    if (c.distance_px >= kImpossiblePx && is_worth_following(grown, pinhole, 0)) body->area = grown;
+  }
+  body->strips.clear();
+}
+
+// The edges in its box that have moved as it did; what else is seen there, through its window or next to a
+// corner, would lead it away.
+std::vector<OrientedPixel> MovingBodies::followed_edges(const FramePyramid& frame, const Body& body) {
+  const std::vector<OrientedPixel> before = strip(body.box, body).before;
+  const std::vector<OrientedPixel> moved = moved_edges(frame.finest(), before, body.step);
+  return thinned(moved.size() >= kFewFollowed ? moved : all_edges_in(frame.finest().edges, body.box));
+}
+
 bool MovingBodies::follow(const FramePyramid& frame, Body* body) {
   const ImageBox& b = body->box;
   const Eigen::Vector2d centre(0.5 * (b.left + b.right), 0.5 * (b.top + b.bottom));
@@ -82,13 +172,17 @@ bool MovingBodies::follow(const FramePyramid& frame, Body* body) {
   body->unseen = is_seen ? 0 : body->unseen + 1;
   body->step = is_seen ? found.motion : expected;
   body->box = moved(b, body->step);
+  body->area = joined(body->box, moved(body->area, body->step));
   body->motion = then(body->motion, body->step);
+  body->strips.clear();
+  if (is_seen && body->counts) look_around(frame, body);
   if (++body->age > kMostAge || body->unseen > kMostUnseen) return false;
   if (!is_worth_following(body->box, frame.finest().pinhole, kLeastArea)) return false;
   if (is_seen)
-    body->pixels = edges_in(frame.finest().edges, body->box);
+    body->pixels = followed_edges(frame, *body);
   else
     for (OrientedPixel& p : body->pixels) p.px = body->step(p.px);
+  body->around = all_edges_in(frame.finest().edges, wider(body->area, 2 * strip_width(frame)));
   return !body->pixels.empty();
 }
 
@@ -105,7 +199,8 @@ bool MovingBodies::look(const FramePyramid& frame, const Reference& reference, c
   Body body;
   body.box = box_of(group);
   if (!is_worth_following(body.box, frame.finest().pinhole, kLeastNewArea)) return false;
-  body.pixels = edges_in(frame.finest().edges, body.box);
+  body.area = body.box;
+  body.pixels = thinned(all_edges_in(frame.finest().edges, body.box));
   body.first_pixels = body.pixels;
   body.motion.centre = {0.5 * (body.box.left + body.box.right), 0.5 * (body.box.top + body.box.bottom)};
   for (int i : group.points) {
@@ -125,6 +220,7 @@ bool MovingBodies::is_proved(const Pinhole& pinhole, double median_idepth, const
 int MovingBodies::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth) {
   int proved = 0;
   const auto is_none = [&](Body& b) {
+    if (b.counts) grow(pinhole, T_cur_last, median_idepth, &b);
     if (b.counts || b.age == 0) return false;
     b.T_cur_first = T_cur_last * b.T_cur_first;
     b.counts = b.unseen == 0 && is_proved(pinhole, median_idepth, b);
@@ -141,7 +237,7 @@ MovingAreas MovingBodies::areas() const {
   MovingAreas areas;
   for (const Body& b : bodies_) {
     if (!b.counts) continue;
-    areas.boxes.push_back(b.box);
+    areas.boxes.push_back(b.area);
     areas.points.insert(b.points.begin(), b.points.end());
   }
   return areas;
@@ -152,7 +248,7 @@ std::shared_ptr<const Reference> MovingBodies::without(std::shared_ptr<const Ref
   if (bodies_.empty()) return reference;
   MovingAreas areas;  // of all, also those on probation
   for (const Body& b : bodies_) {
-    areas.boxes.push_back(b.box);
+    areas.boxes.push_back(b.area);
     areas.points.insert(b.points.begin(), b.points.end());
   }
   const ReferenceCloud& all = reference->cloud;

@@ -20,7 +20,9 @@ namespace edgevo {
 /// The moving bodies in view. For the thread that tracks.
 ///
 /// A new one is on probation: it takes no part in poses, and nothing else. It counts once its motion since it
-/// was found is one that a scene that stands still cannot have, and is given up if it has none soon.
+/// was found is one that a scene that stands still cannot have, and is given up if it has none soon. Then
+/// it grows over what moves with it: it may have been found by a part, and in a turn its image is no
+/// similarity of what it was.
 class MovingBodies {
  public:
   /// Follows the known bodies into the next image; drops those that are no longer seen or were found long
@@ -43,11 +45,19 @@ class MovingBodies {
   void clear() { bodies_.clear(); }
 
  private:
-  struct Body {
+  // An area along a side of a body: where it is, and its edges in the image before.
+  struct Strip {
     ImageBox box;
+    std::vector<OrientedPixel> before;
+  };
+  struct Body {
+    ImageBox box;                          // by whose edges it is followed
+    ImageBox area;                         // all of it, as far as is known; not less than the box
     std::set<std::pair<int, int>> points;  // of the map: host keyframe and edge pixel there
     std::vector<OrientedPixel> pixels;     // its edges in the newest image
+    std::vector<OrientedPixel> around;     // those, and of what is next to it
     ImageSimilarity step;                  // since the image before
+    std::vector<Strip> strips;             // next to it, that moved as it did
     int age = 0, unseen = 0;               // frames
     // Since it was found: for the evaluation.
     bool counts = false;
@@ -56,6 +66,10 @@ class MovingBodies {
     SE3 T_cur_first;
   };
   static bool follow(const FramePyramid& frame, Body* body);
+  static std::vector<OrientedPixel> followed_edges(const FramePyramid& frame, const Body& body);
+  static Strip strip(const ImageBox& box, const Body& body);
+  static void look_around(const FramePyramid& frame, Body* body);
+  static void grow(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth, Body* body);
   static bool is_proved(const Pinhole& pinhole, double median_idepth, const Body& body);
 
   std::vector<Body> bodies_;

@@ -197,15 +197,15 @@ void Odometry::Impl::watch_health(const ArrivedFrame& now, TrackedFrame* tracked
   const SureView view{now.frame.index, state.segment(), front_end.reference()};
   const Health found = health.add(now.frame.index, view, is_doubtful(*now.record));
   tracked->is_in_doubt = found == Health::kInDoubt;
-  if (found == Health::kReturned) tracked->doubt_ended = evaluate_doubt(now.frame, view);
+  if (found == Health::kReturned) tracked->doubt_ended = end_doubt(now, view);
 }
 
-DoubtEnded Odometry::Impl::evaluate_doubt(const Frame& frame, const SureView& now) const {
-  std::string found;
-  const DoubtEnded ended = edgevo::evaluate_doubt(
-      working, health.before(), now, [&](int segment) { return frames.T_world_map(segment).scale; }, &found);
-  if (!found.empty()) say(frame, found);
-  return ended;
+DoubtEnded Odometry::Impl::end_doubt(const ArrivedFrame& now, const SureView& view) const {
+  const DoubtEvaluation found = evaluate_doubt(
+      working, health.before(), view, [&](int segment) { return frames.T_world_map(segment).scale; });
+  now.record->evidence.unit = found.unit;
+  if (found.unit) say(now.frame, "sure again; " + in_words(*found.unit));
+  return found.ended;
 }
 
 void Odometry::Impl::change_unit(double length_ratio) {

@@ -52,7 +52,7 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
-  DoubtEnded evaluate_doubt(const Frame& frame, const SureView& now) const;
+  DoubtEnded end_doubt(const ArrivedFrame& now, const SureView& view) const;
   // The map has set its unit back.
   void change_unit(double length_ratio);
 

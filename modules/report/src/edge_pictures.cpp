@@ -2,6 +2,8 @@
 #include "edgevo/report/edge_pictures.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -111,12 +113,46 @@ cv::Mat rectified(const std::string& path, const Camera& camera, const PictureMa
   return out;
 }
 
-cv::Scalar color_of(double idepth, const EdgePictures& range) {
+cv::Vec3b color_of(double idepth, const EdgePictures& range) {
   const double span = std::max(range.idepth_high - range.idepth_low, 1e-12);
   const double share = std::clamp((idepth - range.idepth_low) / span, 0.0, 1.0);
   const auto& [red, green, blue] = color_ramp()[size_t(255 * share)];
-  return {double(blue), double(green), double(red)};
+  return {uint8_t(blue), uint8_t(green), uint8_t(red)};
 }
+
+// A disc with a smooth rim, at each of 16 x 16 positions within a pixel. Tens of thousands are drawn, at a
+// twentieth of the cost of cv::circle().
+class Disc {
+ public:
+  Disc() {
+    for (size_t place = 0; place < share_.size(); ++place)
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+          const double at_x = double(place % kPlaces) / kPlaces, at_y = double(place / kPlaces) / kPlaces;
+          const double distance = std::hypot(x - kBefore - at_x, y - kBefore - at_y);
+          share_[place][size_t(y * kSide + x)] =
+              int(256 * std::clamp(kDiscRadiusPx + 0.5 - distance, 0.0, 1.0));
+        }
+  }
+
+  void draw(const Eigen::Vector2d& centre, const cv::Vec3b& color, cv::Mat* picture) const {
+    const int x = int(centre.x() * kPlaces), y = int(centre.y() * kPlaces);
+    const auto& share = share_[size_t(y % kPlaces * kPlaces + x % kPlaces)];
+    const int left = x / kPlaces - kBefore, top = y / kPlaces - kBefore;
+    for (int row = std::max(0, -top); row < std::min(kSide, picture->rows - top); ++row)
+      for (int column = std::max(0, -left); column < std::min(kSide, picture->cols - left); ++column) {
+        cv::Vec3b& there = picture->at<cv::Vec3b>(top + row, left + column);
+        for (int i = 0; i < 3; ++i)
+          there[i] = uint8_t(there[i] + ((color[i] - there[i]) * share[size_t(row * kSide + column)] >> 8));
+      }
+  }
+
+ private:
+  static constexpr double kDiscRadiusPx = 1.8;
+  static constexpr int kPlaces = 16;
+  static constexpr int kBefore = 2, kSide = 6;  // pixels before the one with the centre, and all
+  std::array<std::array<int, kSide * kSide>, kPlaces * kPlaces> share_;  // of the colour, of 256
+};
 
 // `scale`: of the picture.
 cv::Mat paint(const cv::Mat& gray, double scale, const std::vector<SeenPoint>& points,
@@ -124,12 +160,8 @@ cv::Mat paint(const cv::Mat& gray, double scale, const std::vector<SeenPoint>& p
   cv::Mat pale, picture;
   gray.convertTo(pale, CV_8U, 0.6, 40);  // so that the colours stand out
   cv::cvtColor(pale, picture, cv::COLOR_GRAY2BGR);
-  constexpr int kShift = 4;
-  for (const SeenPoint& p : points) {
-    const cv::Point centre(int(scale * p.px.x() * (1 << kShift)), int(scale * p.px.y() * (1 << kShift)));
-    cv::circle(picture, centre, int(1.8 * (1 << kShift)), color_of(p.idepth, range), cv::FILLED, cv::LINE_AA,
-               kShift);
-  }
+  static const Disc disc;
+  for (const SeenPoint& p : points) disc.draw(scale * p.px, color_of(p.idepth, range), &picture);
   return picture;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "edgevo/core/output_file.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_outputs.h"
@@ -16,9 +17,10 @@
 namespace edgevo {
 namespace {
 
-RunParams params_of(const RunInfo& info) {
+RunParams params_of(const RunInfo& info, const std::optional<double>& resolution) {
   RunParams params;
   read_params(info.params_yaml, kRecoveryLog, [&](ParamVisitor& v) { params.visit(v); });
+  if (resolution) params.map.occupancy.resolution = fixed(*resolution, 9);
   return params;
 }
 
@@ -45,10 +47,10 @@ int frames_lost(const std::set<int>& beyond_damage, const Run& run) {
 
 }  // namespace
 
-RecoveredRun recover_run(const std::string& folder, bool include_doubtful) {
+RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& options) {
   RecoveryLogReader log(folder);
   const RecoveryHeader& header = log.header();
-  const RunParams params = params_of(header.info);
+  const RunParams params = params_of(header.info, options.resolution);
   const Rectification rectification = rectification_of(header.info.camera, header.info.working_pinhole);
   RunBuilder builder(rectification);
   RunScaling scaling(parse_scale_source(header.scale), header.track, rectification.target(),
@@ -68,7 +70,8 @@ RecoveredRun recover_run(const std::string& folder, bool include_doubtful) {
   if (recovered.is_damaged)
     info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
                                                 " frames that it holds could not be recovered");
-  RunOutputs outputs(folder, header.info.camera, params.map, OutputOptions{true, false, include_doubtful});
+  RunOutputs outputs(folder, header.info.camera, params.map,
+                     OutputOptions{true, false, options.include_doubtful});
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();

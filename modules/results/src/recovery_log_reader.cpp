@@ -15,7 +15,7 @@ void check_is_interrupted(const std::string& folder) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(recovery_log_path(folder), ignored))
     throw InputError(folder, "holds no interrupted run (there is no " + std::string(kRecoveryLog) + ")",
-                     "give the folder of a run that was killed");
+                     "give the folder of a run that was killed; `edgevo map` makes maps of one that ended");
   if (GrowingFile::is_growing(recovery_log_path(folder)))
     throw InputError(folder, "its run is still in progress", "wait for it, or end it with Ctrl-C");
 }

@@ -143,6 +143,7 @@ void visit_evidence(Visit& v, Evidence& e) {
   v.maybe(e.known_points, plain), v.plain(e.lacking_share), v.plain(e.view_share);
   v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
   v.plain(e.focal_error), v.plain(e.focal_error_sigma);
+  v.maybe(e.unit, [&](auto& u) { v.plain(u.ratio), v.plain(u.sigma); });
   v.maybe(e.corners, [&](auto& c) { visit_corners(v, c); });
 }
 

@@ -63,6 +63,13 @@ void append_corners(std::string* text, const CornerEvidence& c) {
   append_number(text, c.direction_sigma_deg, 2);
 }
 
+void append_unit(std::string* text, const std::optional<UnitComparison>& unit) {
+  append_count(text, unit ? std::optional<int>(unit->is_linked()) : std::nullopt);
+  const UnitComparison compared = unit.value_or(UnitComparison());
+  append_number(text, compared.ratio, 4);
+  append_number(text, compared.sigma, 4);
+}
+
 void append_evidence(std::string* text, const FrameEvidence& e) {
   append_count(text, e.visible_points);
   append_count(text, e.matched_points);
@@ -79,6 +86,7 @@ void append_evidence(std::string* text, const FrameEvidence& e) {
   append_corners(text, e.corners.value_or(CornerEvidence()));
   append_number(text, e.focal_error, 4);
   append_number(text, e.focal_error_sigma, 4);
+  append_unit(text, e.unit);
 }
 
 }  // namespace
@@ -169,7 +177,8 @@ std::string frames_csv(const Run& run) {
       "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
-      "corner_direction_sigma,focal_error,focal_error_sigma,p_right,keyframe_doubtful";
+      "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"
+      "keyframe_doubtful";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);

@@ -181,6 +181,55 @@ TEST(BundleAdjustment, SolversTakeTheSameSteps) {
   }
 }
 
+// Some known depths are wrong, and some belong to points whose depth is fixed.
+BaProblem with_known_depths(BaProblem problem) {
+  Random random(11);
+  for (BaPoint& p : problem.points) {
+    const double sigma = 0.02 * p.idepth;
+    p.known_idepth = p.idepth + sigma * random.normal() * (random.uniform() < 0.1 ? 20 : 1);
+    p.known_information = random.uniform() < 0.5 ? 1 / (sigma * sigma) : 0.0;
+  }
+  return problem;
+}
+
+TEST(BundleAdjustment, SolversTakeTheSameStepsWithKnownDepths) {
+  const BaProblem start = perturb(with_known_depths(make_scene(hard_scene())), 0.05, 0.01, 0.2, 9);
+  for (const int iterations : {1, 2, 4, 8}) {
+    BaOptions options;
+    options.max_iterations = iterations;
+    options.relative_decrease = 0;
+    BaResult schur, ceres;
+    const BaProblem a = solved(start, "schur", options, &schur);
+    const BaProblem b = solved(start, "ceres", options, &ceres);
+    EXPECT_NEAR(schur.initial_cost, ceres.initial_cost, 1e-10 * ceres.initial_cost);
+    EXPECT_NEAR(schur.final_cost, ceres.final_cost, 1e-9 * ceres.final_cost);
+    EXPECT_LT(pose_difference(a, b), 1e-9);
+    EXPECT_LT(depth_difference(a, b), 1e-9);
+  }
+}
+
+// With one pose fixed, matches do not show the unit of length; the known depths are the true ones.
+TEST_P(BundleAdjusters, KnownDepthsGiveTheUnit) {
+  SceneOptions o;
+  o.fixed_poses = 1;
+  BaProblem truth = make_scene(o);
+  for (BaPoint& p : truth.points) {
+    p.known_idepth = p.idepth;
+    p.known_information = 1 / (0.01 * p.idepth * p.idepth);
+  }
+  BaProblem start = truth;
+  for (BaPoint& p : start.points) p.idepth /= 1.2;
+  const SE3 T_first_world = start.poses[0].T_cam_world;
+  for (BaPose& pose : start.poses) {
+    const SE3 T = pose.T_cam_world * T_first_world.inverse();
+    pose.T_cam_world = SE3(T.rotation(), 1.2 * T.translation()) * T_first_world;
+  }
+  BaResult result;
+  const BaProblem found = solved(start, GetParam(), to_the_end(), &result);
+  ASSERT_TRUE(result.usable);
+  EXPECT_LT(pose_difference(found, truth), 1e-6);
+}
+
 TEST(BundleAdjustment, TwoMatchesOfAPointInOnePoseBothCount) {
   SceneOptions o = hard_scene();
   BaProblem start = make_scene(o);

@@ -84,6 +84,19 @@ TEST(DoubtfulIntervals, IntervalsTenFramesApartAreOne) {
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 121: a", "frame 133: a"));
 }
 
+TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
+  edgevo::Run run = run_of(100);
+  doubt(&run, 10, 12, "a");
+  run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
+  doubt(&run, 40, 42, "b");
+  run.frames[53].evidence.unit = UnitComparison{};
+  doubt(&run, 80, 80, "c");
+  EXPECT_THAT(texts(run),
+              ElementsAre("frames 110 to 112: a",
+                          "frames 140 to 142: b; nothing links the unit of length after it to that before",
+                          "frame 180: c"));
+}
+
 TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
   edgevo::Run run = run_of(30);
   run.frames[5].state = TrackingState::kLost;
@@ -92,7 +105,8 @@ TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
 }
 
 TEST(DoubtfulIntervals, TheLongestAreGivenInOrderOfTime) {
-  const std::vector<DoubtfulInterval> all{{0, 1, 2, ""}, {20, 29, 10, ""}, {50, 54, 5, ""}};
+  const std::vector<DoubtfulInterval> all{
+      {0, 1, 2, "", false}, {20, 29, 10, "", false}, {50, 54, 5, "", false}};
   const std::vector<DoubtfulInterval> most = longest(all, 2);
   ASSERT_EQ(most.size(), 2u);
   EXPECT_EQ(most[0].first_frame, 20);

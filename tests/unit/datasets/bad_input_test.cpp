@@ -59,10 +59,15 @@ TEST(BadSource, EmptyFolder) {
 
 TEST(BadSource, NeitherRawlogNorVideo) {
   TempFolder folder;
+  std::string times;  // long enough for FFmpeg to draw its letters
+  for (int i = 0; i < 300; ++i) times += std::to_string(i) + ".100000\n";
   write_text(folder / "letter.txt", "Dear camera");
-  SourceOptions options;
-  options.path = folder / "letter.txt";
-  EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("is neither a rawlog nor a video"));
+  write_text(folder / "times.txt", times);
+  for (const char* name : {"letter.txt", "times.txt"}) {
+    SourceOptions options;
+    options.path = folder / name;
+    EXPECT_THAT(error_of([&] { open_source(options); }), HasSubstr("is neither a rawlog nor a video"));
+  }
 }
 
 TEST(BadSource, FolderOfImagesWithoutCamera) {

@@ -5,6 +5,7 @@
 #include <mrpt/img/TCamera.h>
 
 #include <opencv2/core.hpp>
+#include <sstream>
 
 #include "edgevo/datasets/camera_file.h"
 #include "unit/datasets/temp_sequence.h"
@@ -69,6 +70,27 @@ TEST_F(CameraYaml, IsReadByMrpt) {
   EXPECT_EQ(camera.ncols, 640u);
   EXPECT_EQ(camera.nrows, 480u);
   EXPECT_EQ(camera.distortion, mrpt::img::DistortionModel::plumb_bob);
+}
+
+// The YAML of MRPT itself, which has a name for each lens and eight coefficients for plumb-bob.
+Camera read_from_mrpt(const mrpt::img::TCamera& camera) {
+  std::ostringstream text;
+  text << camera.asYAML();
+  return parse_camera(text.str(), "of MRPT");
+}
+
+TEST(YamlOfMrpt, IsReadWithPlumbBobAndFisheye) {
+  mrpt::img::TCamera written;
+  written.ncols = 640, written.nrows = 480;
+  written.setIntrinsicParamsFromValues(500, 501, 320, 240);
+  written.setDistortionPlumbBob(-0.1, 0.02, 0.001, 0.002, 0.003);
+  EXPECT_EQ(lens(read_from_mrpt(written)),
+            (std::vector<double>{500, 501, 320, 240, -0.1, 0.02, 0.001, 0.002, 0.003}));
+  written.setDistortionKannalaBrandt(0.01, 0.02, 0.03, 0.04);
+  const Camera fisheye = read_from_mrpt(written);
+  const auto& model = std::get<KannalaBrandtModel>(fisheye.model);
+  EXPECT_EQ(model.k1, 0.01);
+  EXPECT_EQ(model.k4, 0.04);
 }
 
 }  // namespace

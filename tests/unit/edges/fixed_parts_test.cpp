@@ -136,7 +136,22 @@ TEST(FixedParts, AGivenMaskHoldsFromTheFirstImage) {
   EXPECT_NEAR(pyramid->own_share(), 161.0 * (kPartHeight - 210) / (kPartWidth * kPartHeight), 1e-9);
 }
 
-TEST(ReadMask, RefusesAnotherSizeAndMasksOfNothingOrEverything) {
+TEST(ReadMask, ScalesOneOfTheSameShape) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  for (const double scale : {0.5, 0.37, 1 / 0.63, 2.0}) {
+    const cv::Size size(int(std::lround(scale * kPartWidth)), int(std::lround(scale * kPartHeight)));
+    cv::Mat large(size, CV_8U, cv::Scalar(255));
+    large(cv::Rect(0, 0, size.width / 2, size.height)) = 0;
+    cv::imwrite(path, large);
+    const Plane<uint8_t> mask = read_mask(path, kPartWidth, kPartHeight);
+    EXPECT_EQ(mask.at(kPartWidth / 2 - 4, 100), 255) << scale;
+    EXPECT_EQ(mask.at(kPartWidth / 2 + 4, 100), 0) << scale;
+    EXPECT_NEAR(cv::countNonZero(as_mat(mask)), kPartWidth * kPartHeight / 2, 2 * kPartHeight) << scale;
+  }
+}
+
+TEST(ReadMask, RefusesAnotherShapeAndMasksOfNothingOrEverything) {
   const test::TempFolder folder;
   const std::string path = folder.path() + "/mask.png";
   const auto refuses = [&](const cv::Mat& mask) {

@@ -221,7 +221,7 @@ class ImmaturePoints : public ::testing::Test {
     const auto range = [](const Eigen::Vector2d& px) {
       return IdepthRange{0.1 + 1e-4 * px.x(), 0.4 + 1e-4 * px.y()};
     };
-    return make_immature_points(keyframe, occupied, range, params, &random);
+    return make_immature_points(keyframe, grid, occupied, range, params, &random);
   }
 
   DepthFilterParams params;

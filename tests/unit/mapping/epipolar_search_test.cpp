@@ -235,9 +235,9 @@ TEST(UpdateDepths, SigmaShrinksAndDepthConverges) {
   host.pyramid = scene.pyramid(SE3());
   const DepthFilterParams params;
   Random random(1);
-  const std::vector<bool> free(size_t(CellGrid(320, 240, params.cell_px).size()), false);
+  const CellGrid grid(320, 240, params.cell_px);
   host.immature = make_immature_points(
-      host, free,
+      host, grid, std::vector<bool>(size_t(grid.size()), false),
       [&](const Eigen::Vector2d& px) {
         const double q = scene.idepth(SE3(), px);
         return IdepthRange{0.4 * q, 2.5 * q};

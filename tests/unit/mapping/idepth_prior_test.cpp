@@ -10,7 +10,7 @@ namespace {
 TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
   prior.add({50, 50}, 0.2);
   prior.add({60, 45}, 0.3);
   prior.add({200, 200}, 0.1);
@@ -26,7 +26,7 @@ TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   DepthFilterParams params;
   params.use_neighbour_depths = false;
-  IdepthPrior prior(camera, params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
   for (const double idepth : {0.2, 0.3, 0.1}) prior.add({50, 50}, idepth);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).low, 0.02 * 0.2);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).high, 8 * 0.2);
@@ -35,7 +35,7 @@ TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
 TEST(IdepthPrior, WithoutKnownDepthsTheEarlierMedianIsUsed) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);
 }
 
@@ -43,7 +43,7 @@ TEST(IdepthPrior, WithoutKnownDepthsTheEarlierMedianIsUsed) {
 TEST(IdepthPrior, PointsAtInfinitySayNothingOfTheDepthsAroundThem) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(camera, params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
   for (int x = 10; x < 300; x += 20) prior.add({double(x), 55}, 1e-6);
   EXPECT_DOUBLE_EQ(prior.median(), 0.5);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);

@@ -114,10 +114,12 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   EXPECT_GT(empty, 2 * full);
 }
 
-// No point can be matched in as many keyframes as required: tentative points keep the map alive.
+// No point can be matched in as many keyframes as required, and none is passed on: tentative points keep the
+// map alive.
 MappingParams params_of_a_sparse_map() {
   MappingParams params = seven_keyframes();
   params.window.min_matches = 10;
+  params.window.pass_on_points = false;
   return params;
 }
 

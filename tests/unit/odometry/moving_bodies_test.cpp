@@ -58,6 +58,18 @@ TEST_F(Bodies, ABodyThatMovesOnCounts) {
   EXPECT_NEAR(bodies.areas().boxes[0].left, right_by(18).left, 6);
 }
 
+TEST_F(Bodies, ABodyThatComesIntoViewIsCoveredAsItDoes) {
+  const auto at = [](double left) { return BodyPlace{left, 80, 70}; };
+  reference->cloud = views.cloud(SE3(), at(-35));
+  ASSERT_TRUE(look(at(-29)));
+  for (double left = -23; left <= 19; left += 6) follow(at(left));
+  ASSERT_EQ(bodies.areas().boxes.size(), 1u);
+  const ImageBox area = bodies.areas().boxes[0];
+  EXPECT_LT(area.left, 19 + 10) << "it was found with half of it in view";
+  EXPECT_GT(area.left, 19 - 12) << "the scene next to it is no part of it";
+  EXPECT_LT(area.right, 19 + 70 + 12);
+}
+
 TEST_F(Bodies, ABodyThatStandsIsGivenUp) {
   ASSERT_TRUE(look(right_by(6)));
   for (int i = 0; i < 4; ++i) EXPECT_EQ(follow(right_by(6)), 0);

@@ -24,10 +24,11 @@ inline OdometryParams window_only(const MappingParams& mapping) {
 /// Feeds frames of the sweep to a mapper, aligned to its reference as by the odometry.
 class SweepDriver {
  public:
-  SweepDriver(const MappingParams& params, uint64_t seed = 1)
-      : log(std::make_shared<MapLog>()),
-        events(log),
-        mapper(Sweep::pinhole(), window_only(params), {seed, false, {}, log, {}}) {}
+  explicit SweepDriver(const MappingParams& params, uint64_t seed = 1)
+      : SweepDriver(window_only(params), {seed, false, {}, std::make_shared<MapLog>(), {}}) {}
+  /// `options` with a log.
+  SweepDriver(const OdometryParams& params, const MapperOptions& options)
+      : log(options.log), events(log), mapper(Sweep::pinhole(), params, options) {}
 
   std::string start(int first = 0, int last = 8, double unit = 1.0) {
     unit_ = unit;

@@ -179,6 +179,13 @@ TEST(Trust, NoStepOfMoreThanTenUsualOnesIsTracking) {
   }
 }
 
+// As many small steps as large ones: either may be taken for the usual one.
+TEST(Trust, StepsOfACameraThatStandsByTurnsAreComparedWithTheSmallOnes) {
+  Drive drive;
+  for (int i = 0; i < 51; ++i) drive.go(good_evidence(), i % 2 ? 20 * kStep : kStep);
+  EXPECT_TRUE(drive.go(good_evidence(), 15 * kStep).is_giant_step);
+}
+
 TEST(Trust, IsTheSameForTheSameFrames) {
   Drive a, b;
   for (int i = 0; i < 30; ++i) {

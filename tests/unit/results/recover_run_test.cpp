@@ -109,6 +109,14 @@ TEST_F(InterruptedRuns, AGivenScaleIsApplied) {
               0.6, 0.01);
 }
 
+TEST_F(InterruptedRuns, TheResolutionOfTheirMapsCanBeChosen) {
+  leave_a_run();
+  RecoveryOptions options;
+  options.resolution = 0.5;
+  recover_run(folder_.string(), options);
+  EXPECT_THAT(content(folder_ / "grid.yaml"), HasSubstr("resolution: 0.5"));
+}
+
 TEST_F(InterruptedRuns, TheNextRunMayReplaceIt) {
   leave_a_run();
   EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }), HasSubstr("edgevo finish"));

@@ -13,6 +13,7 @@ namespace {
 using test::cells_of;
 using test::lines_of;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class RunText : public ::testing::Test {
@@ -31,20 +32,20 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
       "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
-      "corner_direction_sigma,focal_error,focal_error_sigma,p_right,keyframe_doubtful,ms_edges,ms_alignment,"
-      "ms_ba");
+      "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"
+      "keyframe_doubtful,ms_edges,ms_alignment,ms_ba");
   EXPECT_EQ(
       rows[2],
       "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,399,398,0.000600,,400,0.2000,0.6000,"
-      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,0,4.100,2.000,");
+      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,,,,0,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,0,6.000,2.000,");
+            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,6.000,2.000,");
   EXPECT_EQ(rows[46 - 3],
             "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
-            "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,0,8.200,"
+            "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,8.200,"
             "2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 48u) << row;
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 51u) << row;
 }
 
 TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {
@@ -56,6 +57,17 @@ TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {
   corners.change_10 = -0.35667, corners.change_10_sigma = 0.05;
   corners.direction_deg = 1.5, corners.direction_sigma_deg = 180;
   EXPECT_THAT(lines_of(frames_csv(run))[1], HasSubstr(",76,0.900,,,-0.3567,0.0500,,,,,,,,1.50,180.00,"));
+}
+
+TEST_F(RunText, FramesCsvHoldsTheUnitOfLengthAfterADoubt) {
+  edgevo::Run run;
+  run.frames.resize(3);
+  run.frames[1].evidence.unit = UnitComparison{1.0125, 0.028};
+  run.frames[2].evidence.unit = UnitComparison{};
+  const auto rows = lines_of(frames_csv(run));
+  EXPECT_THAT(rows[1], Not(HasSubstr(",1.0125,")));
+  EXPECT_THAT(rows[2], HasSubstr(",,,1,1.0125,0.0280,,0"));
+  EXPECT_THAT(rows[3], HasSubstr(",,,0,,,,0"));
 }
 
 TEST_F(RunText, TumTrajectoriesHoldTheFramesThatHavePoses) {

@@ -94,6 +94,16 @@ TEST_F(Summary, ASynchronousRunHasNoLatency) {
   EXPECT_THAT(content(folder_ / "summary.yaml"), ::testing::Not(HasSubstr("realtime")));
 }
 
+TEST_F(Summary, SaysWhichErrorOfTheFocalLengthMayNotShow) {
+  edgevo::Run run = made_.run;
+  run.camera.lens.keyframes = 60;
+  run.camera.lens.focal = 0.008;
+  run.camera.lens.focal_sigma = 0.007;
+  write(folder_, run, made_.camera);
+  EXPECT_THAT(content(folder_ / "summary.yaml"),
+              HasSubstr("to three standard deviations, 2.1 %; a smaller error may not show"));
+}
+
 TEST(YamlQuoted, SurvivesAnyText) {
   const std::string nasty = "a \"b\" \\c: #d\n- {e}";
   EXPECT_EQ(yaml::FromText("key: " + yaml_quoted(nasty))["key"].as<std::string>(), nasty);

@@ -19,6 +19,8 @@ struct Layout {
   std::string (*ground_truth)(const SourceOptions& options);
   /// True if the images are those of a folder, from which --images selects; false if a list names them.
   bool lists_folder = false;
+  /// True if the layout states times; false if they follow from a rate.
+  bool has_times = true;
 };
 
 /// The first layout that recognises the folder; nullptr if none does or it is not a folder.

@@ -33,7 +33,7 @@ std::string virtual_kitti_ground_truth(const SourceOptions& options) {
 }  // namespace
 
 Layout virtual_kitti_layout() {
-  return {is_virtual_kitti, read_virtual_kitti_layout, true, virtual_kitti_ground_truth};
+  return {is_virtual_kitti, read_virtual_kitti_layout, true, virtual_kitti_ground_truth, false, false};
 }
 
 }  // namespace edgevo

@@ -35,7 +35,7 @@ std::string interval_table(const Run& run) {
   std::vector<std::vector<std::string>> rows;
   for (const DoubtfulInterval& d : longest(all, kMostRows))
     rows.push_back({std::to_string(d.first_frame) + " to " + std::to_string(d.last_frame),
-                    std::to_string(d.frames), d.reason});
+                    std::to_string(d.frames), why(d)});
   const std::string more = all.size() > kMostRows ? note_html("The longest " + std::to_string(kMostRows) +
                                                               " of " + std::to_string(all.size()) +
                                                               " intervals; all of them: summary.yaml.")

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/output_file.h"
 #include "edgevo/core/run_warnings.h"
 #include "summary_parts.h"
 
@@ -53,7 +54,8 @@ void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
   y->text("lens_result", l.contradicts_file()
                              ? "not applied: the focal length contradicts the camera file"
                              : "not applied: the focal length agrees with the camera file's to three "
-                               "standard deviations");
+                               "standard deviations, " +
+                                   fixed(300 * l.focal_sigma, 1) + " %; a smaller error may not show");
   y->number("lens_k1", l.k1, 5);
   y->number("lens_k1_standard_deviation", l.k1_sigma, 4);
   y->number("lens_k2", l.k2, 5);

@@ -51,6 +51,10 @@ struct GroupMotion {
 double agreeing_share(const PyramidLevel& finest, const std::vector<OrientedPixel>& group,
                       const ImageSimilarity& motion);
 
+/// The edge pixels of an image on which a motion puts pixels of a group: what agreeing_share() counts.
+std::vector<OrientedPixel> moved_edges(const PyramidLevel& finest, const std::vector<OrientedPixel>& group,
+                                       const ImageSimilarity& motion);
+
 /// Aligns a group with an image by iterated closest points from each of `starts`, and returns the motion with
 /// the largest share. Finds changes of size by a tenth and shifts of 10 px from a start. Uses 120 of the
 /// pixels. Cost: 0.1 ms a start.

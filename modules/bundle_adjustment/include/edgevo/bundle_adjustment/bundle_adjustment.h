@@ -51,6 +51,9 @@ struct BaPoint {
   double idepth = 0;
   /// Whether the depth is fixed (low match AND low depth confidence): the point constrains poses only.
   bool fixed = false;
+  /// Inverse depth known from before the observations, with its information (1 / variance): a residual of its
+  /// own, with Huber's loss. Information 0: nothing is known. Without effect if the depth is fixed.
+  double known_idepth = 0, known_information = 0;
 };
 
 /// The match of a point in another keyframe.

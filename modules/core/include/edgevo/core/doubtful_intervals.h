@@ -27,6 +27,9 @@ struct DoubtfulInterval {
   /// The commonest note among these frames: what spoke against the poses. Notes that differ only in their
   /// numbers count as one; the first of them is given.
   std::string reason;
+  /// Whether the unit of length after the interval may be another one than before: nothing that was seen in
+  /// both links them.
+  bool is_unit_unlinked = false;
 };
 
 /// The doubtful intervals of the run, in time order. Intervals that are at most ten frames apart are one: it
@@ -39,6 +42,9 @@ std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, s
 /// Positions in Run::frames of the frame with the lowest p_right of each of the longest `most` intervals, in
 /// time order; of an interval without any p_right its first frame.
 std::vector<size_t> most_doubtful_frames(const Run& run, size_t most);
+
+/// The reason, and that the unit of length is not linked, if so; empty: unknown.
+std::string why(const DoubtfulInterval& interval);
 
 /// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".
 std::string to_string(const DoubtfulInterval& interval);

@@ -55,6 +55,16 @@ struct CornerEvidence {
   double direction_deg = kUnknown, direction_sigma_deg = kUnknown;
 };
 
+/// The map's unit of length after a doubt, compared with that before it by features that views of both show.
+struct UnitComparison {
+  /// Lengths of the map before over those after; NaN: nothing links the two, their ratio is unknown.
+  double ratio = std::numeric_limits<double>::quiet_NaN();
+  /// Standard deviation of the ratio's logarithm; NaN with an unknown ratio.
+  double sigma = std::numeric_limits<double>::quiet_NaN();
+  /// Whether the ratio is known.
+  bool is_linked() const { return ratio > 0; }  // false for NaN
+};
+
 /// Evidence on one frame.
 struct FrameEvidence {
   /// Number of edge pixels on the finest level.
@@ -100,6 +110,10 @@ struct FrameEvidence {
   double focal_error = std::numeric_limits<double>::quiet_NaN();
   /// Its standard deviation.
   double focal_error_sigma = std::numeric_limits<double>::quiet_NaN();
+
+  /// The unit of length, at the first frame that is sure again after a doubt; nothing elsewhere, and where
+  /// the map is still seen from a keyframe of before.
+  std::optional<UnitComparison> unit;
 
   /// What corners say about the pose; nothing without a pose, and with health.corners off.
   std::optional<CornerEvidence> corners;

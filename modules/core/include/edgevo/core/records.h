@@ -73,7 +73,8 @@ struct EdgePoint {
   float idepth = 0;
   /// Standard deviation of the inverse depth, same unit; <= 0: unknown.
   float idepth_sigma = 0;
-  /// Number of keyframes that matched the point.
+  /// Number of keyframes that matched the point; 0: an earlier host has passed it on, and none has matched it
+  /// since.
   int observations = 0;
   /// Intensity in the host image.
   uint8_t gray = 0;

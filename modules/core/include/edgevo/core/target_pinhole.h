@@ -2,10 +2,11 @@
 #pragma once
 // The pinhole that the images of a lens are rectified to.
 //
-// Its focal length is that of the lens on its axis, so that the middle of the image keeps its sharpness: a
-// shorter one would blur it, a longer one would only interpolate. Its sides reach as far as the lens sees
-// along its rows and columns, but no further than kWidestView: towards the border a pinhole magnifies the
-// image by up to 1 / cos^2 of the angle (4 at 60 degrees), which costs pixels and shows nothing new.
+// Its focal length is up to 1.25 times that of the lens on its axis, so that the middle of the image keeps
+// its sharpness: interpolation at the same or a shorter one would blur it. It is less where the image would
+// have more than 720,000 pixels, but at least that of the lens. Its sides reach as far as the lens sees along
+// its rows and columns, but no further than kWidestView: towards the border a pinhole magnifies the image by
+// up to 1 / cos^2 of the angle (4 at 60 degrees), which costs pixels and shows nothing new.
 #include <optional>
 
 #include "edgevo/core/camera.h"

@@ -40,6 +40,9 @@ struct MapPoint {
   int misses = 0;
   /// True while its immature point lives on (Window::activate).
   bool tentative = false;
+  /// Inverse depth that an earlier host has passed on, and its standard deviation (Window::remove_oldest); 0:
+  /// none.
+  double known_idepth = 0, known_sigma = 0;
 
   /// The match in a keyframe; null if there is none.
   const Observation* find(int keyframe_id) const {

@@ -8,30 +8,19 @@
 
 #include "edgevo/core/random.h"
 #include "edgevo/map/keyframe.h"
+#include "edgevo/mapping/cell_grid.h"
 #include "edgevo/mapping/epipolar_search.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
 
-/// New immature points on the edges of `keyframe`: one per cell, none in occupied cells, spread by `random`.
+/// New immature points on the edges of `keyframe`: one per cell of `grid`, none in occupied cells, spread by
+/// `random`.
 /// `range(px)` returns the inverse depths to search.
 template <class Range>
-std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const CellGrid& grid,
                                                 const std::vector<bool>& occupied_cells, const Range& range,
                                                 const DepthFilterParams& params, Random* random);
-
-/// Cells of `cell_px` pixels over an image, in row-major order.
-struct CellGrid {
-  /// Grid over an image of width x height pixels.
-  CellGrid(int width, int height, int cell_px)
-      : cell(cell_px), columns((width + cell_px - 1) / cell_px), rows((height + cell_px - 1) / cell_px) {}
-  /// Cell of a pixel of the image (not checked).
-  int index(double x, double y) const { return int(y) / cell * columns + int(x) / cell; }
-  /// Number of cells.
-  int size() const { return columns * rows; }
-  /// Side of a cell in pixels; number of cells along x and along y.
-  int cell, columns, rows;
-};
 
 /// Observes every living immature point of `host` once, in a frame at T_target_host.
 void update_depths(const FramePyramid& target, const SE3& T_target_host, const DepthFilterParams& params,
@@ -47,11 +36,10 @@ void smooth_along_edges(const ImageEdges& edges, const DepthFilterParams& params
                         std::vector<ImmaturePoint>* points);
 
 template <class Range>
-std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe,
+std::vector<ImmaturePoint> make_immature_points(const Keyframe& keyframe, const CellGrid& grid,
                                                 const std::vector<bool>& occupied_cells, const Range& range,
                                                 const DepthFilterParams& params, Random* random) {
   const ImageEdges& edges = keyframe.pyramid->finest().edges;
-  const CellGrid grid(edges.width, edges.height, params.cell_px);
   // Reservoir sampling: each edge pixel of a cell is equally likely to represent it.
   std::vector<int> chosen(grid.size(), -1), seen(grid.size(), 0);
   for (int i = 0; i < int(edges.pixels.size()); ++i) {

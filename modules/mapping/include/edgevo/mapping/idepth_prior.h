@@ -22,9 +22,9 @@ inline IdepthRange range_around(double low, double high) {
 class IdepthPrior {
  public:
   /// `median_before`: median inverse depth of an earlier image, used while nothing is known in this one.
-  IdepthPrior(const Pinhole& pinhole, const DepthFilterParams& params, double median_before)
+  IdepthPrior(const CellGrid& grid, const DepthFilterParams& params, double median_before)
       : use_neighbours_(params.use_neighbour_depths),
-        grid_(pinhole.width, pinhole.height, params.cell_px),
+        grid_(grid),
         low_(grid_.size(), kNone),
         high_(grid_.size(), 0),
         occupied_(grid_.size(), false),
@@ -45,17 +45,17 @@ class IdepthPrior {
 
   /// Whether a known depth lies in the cell.
   bool occupied(int cell) const { return occupied_[cell]; }
-  /// Cells of `cell_px` pixels.
+  /// The cells.
   const CellGrid& grid() const { return grid_; }
 
   /// Search range at `px`: around the depths in the 5x5 cells about it, else around the median of the image.
   IdepthRange range(const Eigen::Vector2d& px) {
-    const int column = int(px.x()) / grid_.cell, row = int(px.y()) / grid_.cell;
+    const int column = grid_.column(px.x()), row = grid_.row(px.y());
     double low = kNone, high = 0;
-    for (int r = std::max(0, row - 2); r <= std::min(grid_.rows - 1, row + 2); ++r)
-      for (int c = std::max(0, column - 2); c <= std::min(grid_.columns - 1, column + 2); ++c) {
-        low = std::min(low, low_[r * grid_.columns + c]);
-        high = std::max(high, high_[r * grid_.columns + c]);
+    for (int r = std::max(0, row - 2); r <= std::min(grid_.rows() - 1, row + 2); ++r)
+      for (int c = std::max(0, column - 2); c <= std::min(grid_.columns() - 1, column + 2); ++c) {
+        low = std::min(low, low_[r * grid_.columns() + c]);
+        high = std::max(high, high_[r * grid_.columns() + c]);
       }
     if (high > 0 && use_neighbours_) return range_around(low, high);
     return {kFarLow * median(), kFarHigh * median(), median()};

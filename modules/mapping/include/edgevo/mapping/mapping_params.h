@@ -74,6 +74,8 @@ struct WindowParams {
   bool drop_outlier_matches = true;
   /// Drop points that several keyframes should have seen and did not.
   bool drop_missed_points = true;
+  /// Pass the points of a keyframe that leaves on to the newest one.
+  bool pass_on_points = true;
   /// Use pairs of corners (group corners) as residuals of the adjustment.
   bool adjust_corners = true;
 

@@ -13,11 +13,10 @@
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/map/map.h"
+#include "edgevo/mapping/cell_grid.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
-
-struct CellGrid;
 
 /// Size in pixels of the cells that active points are spread over.
 constexpr int kActivationCellPx = 14;
@@ -50,7 +49,8 @@ struct ActivationPolicy {
 class Window {
  public:
   /// Works on the active keyframes of `map`, which must outlive it. Throws InputError for an unknown solver.
-  Window(Map* map, const Pinhole& pinhole, const WindowParams& params, const AssociationParams& association);
+  Window(Map* map, const Rectification& rectification, const WindowParams& params,
+         const AssociationParams& association);
 
   /// Keyframes, oldest first.
   std::deque<Keyframe>& keyframes() { return map_->active(); }
@@ -94,8 +94,10 @@ class Window {
   void fix_bootstrap_scale();
 
   /// Marginalises the oldest keyframe: its information becomes part of the prior, and the map announces it
-  /// with its pose relative to the four keyframes that share most matches with it. Returns it with its
-  /// present points.
+  /// with its pose relative to the four keyframes that share most matches with it. Points that it hosts and
+  /// the newest keyframe matches become points of that one, if there are none of its own: without matches,
+  /// since the prior has them, but with their depth and its standard deviation. What does not match the next
+  /// keyframe is gone after the next adjust(). Returns the oldest keyframe with its present points.
   const Keyframe& remove_oldest();
   /// Gives the oldest keyframe to the marginalised ones at the end of a segment: the others stay as they are,
   /// and the covariances relative to them are unknown.
@@ -139,8 +141,8 @@ class Window {
     int cell;
     bool tried = false;
   };
-  std::vector<int> count_active(const CellGrid& grid) const;
-  void add_candidates(const ActivationPolicy& policy, const CellGrid& grid, CandidateHost* host,
+  std::vector<int> count_active() const;
+  void add_candidates(const ActivationPolicy& policy, CandidateHost* host,
                       std::vector<Candidate>* candidates) const;
   bool is_certain(const Candidate& candidate) const;
   MapPoint match_candidate(const Candidate& candidate, const std::vector<Sight>& sights) const;
@@ -166,6 +168,8 @@ class Window {
   std::vector<NeighbourPose> neighbours_of_oldest() const;
   BaPrior marginalise_oldest(std::vector<NeighbourPose>* neighbours);
   static void drop_matches_in(int keyframe_id, Keyframe* host);
+  std::optional<MapPoint> in_newest(const MapPoint& point, const SE3& T_newest_host) const;
+  std::vector<MapPoint> points_to_pass_on() const;
   CloudPoint own_point(const MapPoint& point) const;
   std::optional<CloudPoint> seen_point(const Keyframe& reference, const SE3& T_reference_host,
                                        const MapPoint& point) const;
@@ -173,6 +177,7 @@ class Window {
 
   Map* map_;
   Pinhole pinhole_;
+  CellGrid cells_;  // of kActivationCellPx
   WindowParams params_;
   AssociationParams association_;
   std::unique_ptr<BundleAdjuster> adjuster_;

@@ -204,6 +204,7 @@ class Mapper {
 
   Rectification rectification_;
   Pinhole pinhole_;
+  CellGrid cells_;  // that get one new point each
   MappingParams params_;
   AssociationParams association_;
   bool gradient_patches_;

@@ -7,6 +7,7 @@
 // through that of the scale: the results are those of a run that ended there, but for the self-calibration
 // that an end makes once more. A keyframe that had not reached the disk is missing, and its frames keep their
 // live poses; so are edge lines that were not finished.
+#include <optional>
 #include <string>
 
 #include "edgevo/core/records.h"
@@ -25,9 +26,17 @@ struct RecoveredRun {
   std::string map_note;
 };
 
+/// How the results are written.
+struct RecoveryOptions {
+  /// As in OutputOptions.
+  bool include_doubtful = false;
+  /// Size of the voxels and cells of the maps, in the unit of the run; nothing: that of the run.
+  std::optional<double> resolution;
+};
+
 /// Writes the files that RunOutputs::finish() would have written into the run's own folder and removes the
 /// recovery log, unless it is damaged. Throws InputError: no interrupted run in `folder`, an unreadable
-/// recovery log, or a file that cannot be written. `include_doubtful`: as in OutputOptions.
-RecoveredRun recover_run(const std::string& folder, bool include_doubtful = false);
+/// recovery log, or a file that cannot be written, which includes a map that the resolution cannot hold.
+RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& options = {});
 
 }  // namespace edgevo

@@ -32,6 +32,7 @@
 namespace edgevo {
 
 struct RecoveredRun;
+struct RecoveryOptions;
 
 /// Options of the output folder.
 struct OutputOptions {
@@ -84,7 +85,7 @@ class RunOutputs {
   std::string earlier_run() const;
 
  private:
-  friend RecoveredRun recover_run(const std::string& folder, bool include_doubtful);
+  friend RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& options);
   void finish(const Run& run, const RunInfo& info, bool keep_log);
   /// Takes over the folder of an interrupted run, with images of the frames up to `last_frame`.
   void adopt(int last_frame);
