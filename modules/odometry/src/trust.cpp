@@ -99,13 +99,6 @@ std::string in_words(Doubt doubt, const Doubts& doubts, const FrameEvidence& e) 
   return {};
 }
 
-// The smaller of the middle two for an even number: a camera that stands and moves by turns has two groups of
-// steps, and the larger ones are not usual as long as half of all are small.
-double lower_median(RecentValues values) {
-  values.multiply(-1);
-  return -values.median();
-}
-
 }  // namespace
 
 double p_right_at(const TrustKnot* knots, size_t count, double sum) {
@@ -158,7 +151,9 @@ double Trust::turn_deg(const TrustFrame& frame) {
 FrameTrust Trust::add(const TrustFrame& frame) {
   constexpr size_t kRecentSteps = 5;
   const FrameEvidence& e = frame.evidence;
-  const double step = step_of(frame), usual_step = lower_median(steps_);
+  // The smaller of the middle two: a camera that stands and moves by turns has two groups of steps, and the
+  // larger ones are not usual as long as half of all are small.
+  const double step = step_of(frame), usual_step = steps_.quantile(0.5);
   steps_.add(step);
   shares_.add(e.inlier_share), residuals_.add(e.residual_px), blurs_.add(e.edge_blur);
   saturated_.add(e.saturated_share);

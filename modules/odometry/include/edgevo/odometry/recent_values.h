@@ -43,6 +43,11 @@ class RecentValues {
     if (values_.size() < fewest) return std::numeric_limits<double>::quiet_NaN();
     return edgevo::median(std::vector<double>(values_.begin(), values_.end()));
   }
+  /// The value that `share`, 0 to 1, of the others do not exceed; NaN for fewer than `fewest`. Cost: linear.
+  double quantile(double share, size_t fewest = 10) const {
+    if (values_.size() < fewest) return std::numeric_limits<double>::quiet_NaN();
+    return edgevo::quantile(std::vector<double>(values_.begin(), values_.end()), share);
+  }
 
  private:
   size_t most_;
