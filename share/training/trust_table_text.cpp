@@ -18,7 +18,7 @@ constexpr std::array<Description, kDoubts> kDescriptions{{
     {"kCornerScale", "corner_scale", "log ratio / log 1.25"},
     {"kCornerAgreement", "corner_agreement", "2 x share of the corners"},
     {"kNoWitness", "no_witness", "1: the motion cannot be checked"},
-    {"kSupport", "support", "2 x log ratio to the usual"},
+    {"kTurn", "turn", "median depths / 0.02 and share of length / 0.25"},
     {"kStep", "step", "log ratio to the usual"},
     {"kWeakDirection", "weak_direction", "log10 of sigma / 0.001 (median depths; rad)"},
     {"kAdjustment", "adjustment", "log of squared sigmas"},

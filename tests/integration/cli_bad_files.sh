@@ -5,7 +5,7 @@
 # and exit code 2.
 . "$(dirname "$0")/cli_common.sh"
 desk=$scenes/desk result=$scenes/runs/desk
-limit=${EDGEVO_TEST_LIMIT:-60}  # seconds a command may take: more under a sanitizer
+limit=${EDGEVO_TEST_LIMIT:-120}  # seconds a command may take: more under a sanitizer
 # sums FOLDER...: every file in them, with its size and checksum.
 sums() { find "$@" -type f -print0 | sort -z | xargs -0 cksum; }
 sums "$desk" "$result" >before

@@ -24,4 +24,16 @@ ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid,
   return cloud;
 }
 
+ReferenceCloud part_of(const ReferenceCloud& all, const std::vector<size_t>& kept) {
+  ReferenceCloud part{all.pyramid, {}, {}, {}};
+  part.patches.resize(all.patches.size());
+  for (size_t i : kept) {
+    part.points.push_back(all.points[i]);
+    for (size_t l = 0; l < all.patches.size(); ++l)
+      if (!all.patches[l].empty()) part.patches[l].push_back(all.patches[l][i]);
+    if (!all.gradient_patches.empty()) part.gradient_patches.push_back(all.gradient_patches[i]);
+  }
+  return part;
+}
+
 }  // namespace edgevo

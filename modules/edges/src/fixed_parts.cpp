@@ -150,6 +150,10 @@ void FixedParts::compare_cells() {
                        : motion_.cells > 0 && 2 * motion_.still >= motion_.cells;
 }
 
+StillCells FixedParts::still_cells() const {
+  return motion_.stands ? StillCells{kColumns, kRows, still_} : StillCells{};
+}
+
 // Edges along the motion stay where they are, too: the share depends on direction and place.
 int FixedParts::kind(const Candidate& c) const {
   const double angle = std::atan2(c.ny, c.nx) * (kDirections / M_PI) + 2.5 * kDirections;
@@ -266,8 +270,8 @@ Plane<uint8_t> FixedParts::grow(double least_score, const ImageEdges& edges) con
 int FixedParts::blocks_across() const { return width_ / kBlockPx + 1; }
 int FixedParts::block(int x, int y) const { return y / kBlockPx * blocks_across() + x / kBlockPx; }
 
-// Blocks that edges hardly leave, next to the area: weak edges of the part, or none. The scene passes
-// elsewhere.
+// Blocks that edges hardly leave, next to the area or known before: weak edges of the part, or none. The
+// scene passes elsewhere.
 void FixedParts::add_calm_blocks(Plane<uint8_t>* area) const {
   double active = 0, leaving = 0;
   for (const float left : left_)
@@ -287,6 +291,10 @@ void FixedParts::add_calm_blocks(Plane<uint8_t>* area) const {
   touches[0] = 0;
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) area->at(x, y) = touches[size_t(piece_at.at<int>(y, x))];
+  // Which edges decide changes from image to image; a part does not.
+  for (int y = 0; area_ && y < height_; ++y)
+    for (int x = 0; x < width_; ++x)
+      if (area_->at(x, y) && left_[size_t(block(x, y))] < kCalm * usual) area->at(x, y) = 255;
 }
 
 // The area with its gaps closed, unless most edges in them belong to something else.

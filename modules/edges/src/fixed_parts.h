@@ -13,6 +13,7 @@
 #include <memory>
 #include <vector>
 
+#include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
 
@@ -38,6 +39,8 @@ class FixedParts {
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.
   bool is_undecided() const { return is_undecided_; }
+  /// The cells that stand still before a camera that stands; else empty.
+  StillCells still_cells() const;
   /// Number of images that were compared.
   int compared() const { return compared_; }
 

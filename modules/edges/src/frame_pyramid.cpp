@@ -303,6 +303,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
                  &level);
   }
   pyramid->may_show_own_part = watch && fixed.is_undecided();
+  if (watch) pyramid->still = fixed.still_cells();
   return pyramid;
 }
 

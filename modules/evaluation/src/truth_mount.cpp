@@ -17,6 +17,8 @@ constexpr double kPrior = 0.01;             // share of the measurements: what t
 constexpr double kArmPrior = 1e-3;          // less than a turn of 2 degrees says about the arm
 constexpr double kLargestTurn = M_PI / 12;  // more is another convention of axes, not a mount
 constexpr double kLeastGain = 2.0 / 3;      // of the median error
+constexpr double kMostTurnLoss = 1.1;       // of the median error of the rotations: they must fit as before
+constexpr double kTurnNoise = 1e-4;         // radians
 constexpr double kLeastError = 1e-3;        // of the median length: no weight is infinite
 
 struct Motion {
@@ -25,6 +27,18 @@ struct Motion {
 
 double error_of(const Motion& m, const SE3& T_body_cam) {
   return ((T_body_cam * m.camera * T_body_cam.inverse()).translation() - m.body.translation()).norm();
+}
+
+// Angle between the rotations, radians: neither a scale nor a bad translation has a part in it.
+double turn_error_of(const Motion& m, const SE3& T_body_cam) {
+  const Eigen::Quaterniond R = T_body_cam.rotation();
+  return (R * m.camera.rotation() * R.conjugate()).angularDistance(m.body.rotation());
+}
+
+double median_turn_error(const std::vector<Motion>& motions, const SE3& T_body_cam) {
+  std::vector<double> errors;
+  for (const Motion& m : motions) errors.push_back(turn_error_of(m, T_body_cam));
+  return median(std::move(errors));
 }
 
 std::vector<double> errors_of(const std::vector<Motion>& motions, const SE3& T_body_cam) {
@@ -100,7 +114,11 @@ SE3 truth_mount(const JudgedRun& run, const StepScale& scales, int ahead, int sc
     mount = SE3(R, fit_arm(motions, weights, R));
   }
   const bool is_better = median(errors_of(motions, mount)) <= kLeastGain * before;
-  return mount.is_finite() && mount.angle() <= kLargestTurn && is_better ? mount : SE3();
+  const bool is_usual = mount.is_finite() && mount.angle() <= kLargestTurn;
+  if (!is_usual || !is_better) return {};
+  const bool fits_turns =
+      median_turn_error(motions, mount) <= kMostTurnLoss * median_turn_error(motions, {}) + kTurnNoise;
+  return fits_turns ? mount : SE3();
 }
 
 }  // namespace edgevo

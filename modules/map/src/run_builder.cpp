@@ -2,9 +2,12 @@
 #include "edgevo/map/run_builder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/order_statistics.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/corrected_pixel.h"
 
@@ -170,6 +173,23 @@ std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
     return before.anchor->T_cam_map;
   }
   return std::nullopt;
+}
+
+double RunBuilder::times_usual_step(int frame_index, const SE3& T_world_cam) const {
+  constexpr size_t kSteps = 50, kFewest = 10;
+  std::vector<double> steps;  // newest first; the first one leads to the frame
+  int index = frame_index;
+  Eigen::Vector3d position = T_world_cam.translation();
+  for (auto next = position_.lower_bound(frame_index); next != position_.begin() && steps.size() <= kSteps;) {
+    const FrameRecord& f = row((--next)->second).frame;
+    if (!f.T_world_cam_live) continue;
+    steps.push_back((position - f.T_world_cam_live->translation()).norm() / (index - f.index));
+    index = f.index, position = f.T_world_cam_live->translation();
+  }
+  if (steps.size() <= kFewest) return std::numeric_limits<double>::quiet_NaN();
+  const double step = steps.front();
+  steps.erase(steps.begin());
+  return step / quantile(std::move(steps), 0.5);
 }
 
 // ---- the end ----

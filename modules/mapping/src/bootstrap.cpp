@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 
 #include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
+#include "straight_rows.h"
 #include "two_view_motion.h"
 #include "view_fit.h"
 
@@ -50,14 +52,17 @@ struct Triangulation {
 }  // namespace
 
 struct Bootstrap::Impl {
+  Rectification rectification;
   Pinhole pinhole;
   BootstrapParams params;
   Random random{0};
   std::vector<BootstrapView> views;
-  std::vector<Corners> corners_in_view;  // for each view, pixels of the corners that are still alive
-  size_t first_corners = 0;              // followed from the first view on
-  int disagreeing = 0;                   // frames in a row
-  std::optional<SE3> chosen_before;      // from the first view to the one before the newest
+  // For each view, pixels of the corners that are still alive: as they are followed, and where all rows had
+  // one time.
+  std::vector<Corners> corners_in_view, straight;
+  size_t first_corners = 0;          // followed from the first view on
+  int disagreeing = 0;               // frames in a row
+  std::optional<SE3> chosen_before;  // from the first view to the one before the newest
   cv::Mat previous;
 
   void reset() {
@@ -146,49 +151,76 @@ struct Bootstrap::Impl {
     }
   }
 
+  // A rolling shutter skews the images of a camera that turns, each at the rate of its time.
+  void straighten() {
+    const double readout_s = views.back().pyramid->correction.readout_s;
+    straight = corners_in_view;
+    if (readout_s == 0) return;
+    std::vector<Timestamp> times;
+    for (const BootstrapView& v : views) times.push_back(v.time);
+    std::vector<ImageMotion> motions = turning_motions(pinhole, times, corners_in_view);
+    for (size_t v = 0; v < views.size(); ++v)
+      if (views[v].is_straight)
+        motions[v] = {};
+      else
+        views[v].motion = motions[v];
+    straight = straighten_rows(rectification, readout_s, motions, corners_in_view);
+  }
+
   BootstrapStatus try_two_views() {
-    const Corners& a = corners_in_view.front();
-    const Corners& b = corners_in_view.back();
-    const double disparity = median_motion(params.count_lost_corners ? first_corners : a.size(), a, b);
+    const Corners &first = corners_in_view.front(), &last = corners_in_view.back();
+    const double disparity =
+        median_motion(params.count_lost_corners ? first_corners : first.size(), first, last);
     const double needed = params.min_disparity * pinhole.width;
     if (disparity < needed)
       return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
                                      disparity, needed)};
+    straighten();
     const std::vector<TwoViewMotion> motions = possible_motions();
     if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
     const Choice choice = views.size() > 2 ? choose_by_views(motions) : choose_by_error(motions);
     const int agreeing = cv::countNonZero(choice.best.inliers);
-    const bool too_few = agreeing < kMinInlierShare * double(a.size());
+    const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
     if (too_few)
       return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
-                                     100.0 * agreeing / double(a.size()), 100 * kMinInlierShare)};
+                                     100.0 * agreeing / double(first.size()), 100 * kMinInlierShare)};
     if (choice.is_ambiguous)
       return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
-    return build_result(choice.best.T_last_first, choice.best.inliers);
+    BootstrapStatus status = build_result(choice.best.T_last_first, choice.best.inliers);
+    if (status.result)
+      status.result->why = choice.why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);
+    return status;
   }
 
   // Those of RANSAC and of a plane, and the one that the frame before chose.
   std::vector<TwoViewMotion> possible_motions() {
-    const Corners &a = corners_in_view.front(), &b = corners_in_view.back();
+    const Corners &a = straight.front(), &b = straight.back();
     std::vector<TwoViewMotion> motions =
         estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
     for (TwoViewMotion& m : estimate_motions_of_plane(pinhole, a, b, kBootstrapRansacPx))
       motions.push_back(std::move(m));
-    if (chosen_before) motions.push_back(measure_motion(pinhole, a, b, kBootstrapRansacPx, *chosen_before));
+    if (chosen_before) {
+      motions.push_back(measure_motion(pinhole, a, b, kBootstrapRansacPx, *chosen_before));
+      motions.back().model = "the choice of the frame before";
+    }
     return without_repeats(std::move(motions));
   }
 
   struct Choice {
     TwoViewMotion best;
     bool is_ambiguous = false;
+    std::string why;
   };
 
   static Choice choose_by_error(const std::vector<TwoViewMotion>& motions) {
     const TwoViewMotion& best =
         *std::min_element(motions.begin(), motions.end(),
                           [](const auto& m, const auto& n) { return m.median_error_px < n.median_error_px; });
-    return {best, is_ambiguous(best, motions)};
+    return {best, is_ambiguous(best, motions),
+            std::string("motion by ") + best.model +
+                sentence(", %.2f px over two views, the best of %.0f", best.median_error_px,
+                         double(motions.size()))};
   }
 
   // The motion that the views between allow. It is ambiguous while another one fits them about as well.
@@ -196,24 +228,31 @@ struct Bootstrap::Impl {
     constexpr double kRefuted = 1.1;  // times the best error
     const std::vector<Corners> views = fitted_views();
     std::vector<ViewFit> fits;
+    std::vector<const char*> models;
     for (const TwoViewMotion& m : motions)
-      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first)) fits.push_back(*fit);
+      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first))
+        fits.push_back(*fit), models.push_back(m.model);
     if (fits.empty()) return choose_by_error(motions);
-    const ViewFit& best = *std::min_element(
-        fits.begin(), fits.end(), [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
-    chosen_before = best.T_last_first;
-    Choice choice{of_two_views(best.T_last_first)};
-    choice.is_ambiguous = std::any_of(fits.begin(), fits.end(), [&](const ViewFit& other) {
-      return other.error_px < kRefuted * best.error_px &&
-             disagree(other.T_last_first, best.T_last_first, choice.best.parallax_rad);
-    });
+    const auto best = std::min_element(fits.begin(), fits.end(),
+                                       [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
+    chosen_before = best->T_last_first;
+    Choice choice{of_two_views(best->T_last_first), false, {}};
+    double next_px = std::numeric_limits<double>::infinity();  // of a motion that disagrees
+    for (const ViewFit& other : fits)
+      if (disagree(other.T_last_first, best->T_last_first, choice.best.parallax_rad))
+        next_px = std::min(next_px, other.error_px);
+    choice.is_ambiguous = next_px < kRefuted * best->error_px;
+    choice.why =
+        std::string("motion by ") + models[size_t(best - fits.begin())] +
+        sentence(", %.2f px over %.0f views", best->error_px, double(views.size())) +
+        (std::isfinite(next_px) ? sentence(", another %.2f px", next_px, 0) : std::string(", no other fits"));
     return choice;
   }
 
   // The motion refined to the first and the last view, by which depths are triangulated, unless that leads
   // away to the wrong motion of a plane.
   TwoViewMotion of_two_views(const SE3& T_last_first) const {
-    const Corners &a = corners_in_view.front(), &b = corners_in_view.back();
+    const Corners &a = straight.front(), &b = straight.back();
     TwoViewMotion as_it_is = measure_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
     TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
     return disagree(refined.T_last_first, T_last_first, as_it_is.parallax_rad) ? as_it_is : refined;
@@ -221,10 +260,10 @@ struct Bootstrap::Impl {
 
   // The first view, some between in even steps, and the last, each with the same corners.
   std::vector<Corners> fitted_views() const {
-    const size_t last = corners_in_view.size() - 1, steps = std::min(last, kComparedViews + 1);
+    const size_t last = straight.size() - 1, steps = std::min(last, kComparedViews + 1);
     std::vector<Corners> views;
     for (size_t k = 0; k <= steps; ++k) {
-      const Corners& all = corners_in_view[k * last / steps];
+      const Corners& all = straight[k * last / steps];
       views.emplace_back(all.begin(), all.begin() + std::min(all.size(), kComparedCorners));
     }
     return views;
@@ -232,8 +271,8 @@ struct Bootstrap::Impl {
 
   // Triangulates the inliers that lie in front of both cameras.
   Triangulation triangulate_inliers(const SE3& T_last_first, const cv::Mat& inliers) const {
-    const Corners& a = corners_in_view.front();
-    const Corners& b = corners_in_view.back();
+    const Corners& a = straight.front();
+    const Corners& b = straight.back();
     Triangulation t;
     for (size_t i = 0; i < a.size(); ++i) {
       if (!inliers.at<uchar>(int(i))) continue;
@@ -285,15 +324,17 @@ struct Bootstrap::Impl {
     const Vector6d whole = views.back().T_cam_first.log();
     for (size_t v = 1; v + 1 < views.size(); ++v) {
       Corners image;
-      for (int i : used) image.push_back(corners_in_view[v][i]);
+      for (int i : used) image.push_back(straight[v][i]);
       views[v].T_cam_first = SE3::exp(whole * (double(v) / double(views.size() - 1)));
       views[v].placed = place_view(pinhole, object, image, &views[v].T_cam_first);
     }
   }
 };
 
-Bootstrap::Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed) : impl_(new Impl) {
-  impl_->pinhole = pinhole;
+Bootstrap::Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed)
+    : impl_(new Impl) {
+  impl_->rectification = rectification;
+  impl_->pinhole = rectification.target();
   impl_->params = params;
   impl_->random = Random::derive(seed, 1);
 }
@@ -302,12 +343,14 @@ Bootstrap::~Bootstrap() = default;
 void Bootstrap::reset() { impl_->reset(); }
 
 BootstrapStatus Bootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid,
-                               bool attempt) {
+                               bool attempt, const ImageMotion& rows) {
   cv::Mat image = equalised(*pyramid);
   BootstrapView view;
   view.frame_index = frame_index;
   view.time = time;
   view.pyramid = std::move(pyramid);
+  view.motion = rows;
+  view.is_straight = rows.is_known();
   return impl_->views.empty() ? impl_->take_first(std::move(view), std::move(image))
                               : impl_->take_next(std::move(view), std::move(image), attempt);
 }

@@ -206,8 +206,10 @@ std::vector<TwoViewMotion> estimate_motions_of_plane(const Pinhole& pinhole,
   const cv::Mat H = cv::findHomography(first, last, cv::RANSAC, kPlanePx * ransac_px, on_plane);
   std::vector<TwoViewMotion> motions;
   if (H.rows != 3) return motions;
-  for (const SE3& T : motions_of_homography(H, camera_matrix(pinhole), rays_of(pinhole, first), on_plane))
+  for (const SE3& T : motions_of_homography(H, camera_matrix(pinhole), rays_of(pinhole, first), on_plane)) {
     motions.push_back(refined(pinhole, first, last, ransac_px, T, on_plane.clone()));
+    motions.back().model = "plane";
+  }
   return motions;
 }
 

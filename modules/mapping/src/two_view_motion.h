@@ -20,6 +20,8 @@ struct TwoViewMotion {
   double median_error_px = 0;
   /// Median angle between the two rays after derotation, radians.
   double parallax_rad = 0;
+  /// What it was found by, in words.
+  const char* model = "essential matrix";
 };
 
 /// The motions of `trials` RANSAC runs, each on corners in another random order. May be empty.

@@ -29,6 +29,8 @@ constexpr double kMaxRelativeSigma = 0.5;
 constexpr double kLeastParallaxPx = 5;
 // Depths that share their map have common errors: no more certain than this.
 constexpr double kLeastSigma = 0.02, kMostSigma = 0.15;
+// A bent map still knows its unit better than equal speed does, whose logarithm is off by this.
+constexpr double kMostBend = 0.5;
 
 struct Features {
   std::vector<cv::KeyPoint> points;
@@ -170,13 +172,50 @@ std::optional<ViewLink> made_link(const SE3& T_b_a, double length_in_a, double l
   return ViewLink{SE3(T_b_a.rotation(), length_in_a * T_b_a.translation()), std::exp(log), sigma, int(count)};
 }
 
-std::optional<ViewLink> link_by_baseline(const std::vector<Feature>& features, const SE3& T_b_a,
-                                         double focal_px) {
+// Length of the motion in each map, as logarithms with their standard deviations.
+struct MotionLengths {
+  LogRatio a, b;
+  double log_ratio() const { return a.log - b.log; }
+};
+std::optional<MotionLengths> motion_lengths(const std::vector<Feature>& features, const SE3& T_b_a,
+                                            double focal_px) {
   const Baselines logs = measure_baseline(features, T_b_a, focal_px);
   const std::optional<LogRatio> a = median_ratio(logs.a), b = median_ratio(logs.b);
-  if (!a || !b) return std::nullopt;
-  return made_link(T_b_a, std::exp(a->log), a->log - b->log, std::hypot(a->sigma, b->sigma),
-                   std::min(a->count, b->count));
+  return a && b ? std::optional(MotionLengths{*a, *b}) : std::nullopt;
+}
+
+// Difference between the ratios that two halves of the features give, logarithm; 0: one of them gives none.
+template <class Key>
+double difference_of_halves(std::vector<Feature> features, const SE3& T_b_a, double focal_px, Key key) {
+  const auto middle = features.begin() + std::ptrdiff_t(features.size() / 2);
+  std::nth_element(features.begin(), middle, features.end(),
+                   [&](const Feature& f, const Feature& g) { return key(f) < key(g); });
+  const auto first = motion_lengths({features.begin(), middle}, T_b_a, focal_px),
+             second = motion_lengths({middle, features.end()}, T_b_a, focal_px);
+  return first && second ? std::abs(first->log_ratio() - second->log_ratio()) : 0.0;
+}
+
+// A young map can be bent. Its depths have a common error then, which no spread shows: it differs between
+// near and far, and between the sides of the view.
+double bend_of_maps(std::vector<Feature> features, const SE3& T_b_a, double focal_px) {
+  features.erase(std::remove_if(features.begin(), features.end(),
+                                [&](const Feature& f) { return triangulated(f, T_b_a, focal_px) == 0; }),
+                 features.end());
+  const auto depth = [&](const Feature& f) { return triangulated(f, T_b_a, focal_px); };
+  const auto across = [](const Feature& f) { return f.a.x(); };
+  return std::max(difference_of_halves(features, T_b_a, focal_px, depth),
+                  difference_of_halves(features, T_b_a, focal_px, across));
+}
+
+std::optional<ViewLink> link_by_baseline(const std::vector<Feature>& features, const SE3& T_b_a,
+                                         double focal_px, const MotionLengths& lengths) {
+  const LogRatio &a = lengths.a, &b = lengths.b;
+  std::optional<ViewLink> link = made_link(T_b_a, std::exp(a.log), lengths.log_ratio(),
+                                           std::hypot(a.sigma, b.sigma), std::min(a.count, b.count));
+  const double bend = bend_of_maps(features, T_b_a, focal_px);
+  if (!link || bend > kMostBend) return std::nullopt;
+  link->sigma = std::max(link->sigma, bend);
+  return link;
 }
 
 // The camera has hardly moved against the depth: the depths of one view are those of the other.
@@ -220,8 +259,10 @@ std::optional<ViewLink> link_views(const Pinhole& pinhole, const MatchedPixels& 
     if (agreeing.at<uchar>(int(i)))
       features.push_back({pinhole.ray(matches.a[i].cast<double>()), pinhole.ray(matches.b[i].cast<double>()),
                           depth_at(matches.a[i], a), depth_at(matches.b[i], b)});
-  const std::optional<ViewLink> link = link_by_baseline(features, *T_b_a, pinhole.fx);
-  return link ? link : link_by_depths(features, *T_b_a);
+  // Depths are those of one place only if there is no baseline to measure.
+  const std::optional<MotionLengths> lengths = motion_lengths(features, *T_b_a, pinhole.fx);
+  return lengths ? link_by_baseline(features, *T_b_a, pinhole.fx, *lengths)
+                 : link_by_depths(features, *T_b_a);
 }
 
 std::optional<ViewLink> link_views(const Pinhole& pinhole, const ReferenceCloud& a, const ReferenceCloud& b) {

@@ -6,16 +6,16 @@
 
 namespace edgevo {
 
-Bootstrapper::Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
-                           FrameLog* frames)
-    : pinhole_(pinhole),
-      bootstrap_(pinhole, params.mapping.bootstrap, seed),
+Bootstrapper::Bootstrapper(const Rectification& rectification, const OdometryParams& params, uint64_t seed,
+                           MapLink* map, FrameLog* frames)
+    : pinhole_(rectification.target()),
+      bootstrap_(rectification, params.mapping.bootstrap, seed),
       params_(params),
       map_(map),
       frames_(frames) {}
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
-  return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid);
+  return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid, true, now.rows.expected);
 }
 
 std::string Bootstrapper::make_map(const BootstrapResult& views) {
@@ -45,6 +45,7 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
   map_->begin_segment(segment);
   NewSegment begun;
   begun.reference = map_->reference();
+  begun.why = views.why;
   const TraceScope traced("poses of the bootstrap");
   place_bootstrap_frames(views,
                          known ? known->tracks : track_bootstrap_frames(views, *begun.reference, params_),

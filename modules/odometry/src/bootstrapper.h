@@ -30,6 +30,8 @@ struct NewSegment {
   std::shared_ptr<const Reference> reference;
   /// Motion of the camera from the frame before the newest to the newest; nothing if that frame has no pose.
   std::optional<SE3> motion;
+  /// Why its two views are believed (BootstrapResult::why).
+  std::string why;
 };
 
 /// What a segment needs besides its map, where it was found next to the frames.
@@ -44,13 +46,15 @@ struct SegmentBeginning {
 class Bootstrapper {
  public:
   /// `map` and `frames` must outlive this object.
-  Bootstrapper(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map,
+  Bootstrapper(const Rectification& rectification, const OdometryParams& params, uint64_t seed, MapLink* map,
                FrameLog* frames);
 
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
   /// Adds the next frame. Returns two views that may make a map, or why there are none yet.
   [[nodiscard]] BootstrapStatus add(const ArrivedFrame& now);
+  /// Rectifies the rows of the views (MapLink::rectify_rows).
+  void rectify_rows(BootstrapResult* views) { map_->rectify_rows(views); }
   /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns an empty string, or why
   /// they make no map.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);

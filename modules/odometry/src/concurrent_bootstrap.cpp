@@ -15,9 +15,12 @@ constexpr size_t kMostQueued = 12;
 constexpr int kMostFollowed = 3;
 }  // namespace
 
-ConcurrentBootstrap::ConcurrentBootstrap(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed,
-                                         MapLink* map)
-    : pinhole_(pinhole), params_(params), map_(map), bootstrap_(pinhole, params.mapping.bootstrap, seed) {
+ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params,
+                                         uint64_t seed, MapLink* map)
+    : pinhole_(rectification.target()),
+      params_(params),
+      map_(map),
+      bootstrap_(rectification, params.mapping.bootstrap, seed) {
   thread_ = std::thread([this] { search(); });
 }
 
@@ -42,7 +45,7 @@ void ConcurrentBootstrap::reset() {
 BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own_parts,
                                           const std::optional<SureView>& before) {
   catches_up_ = false;
-  add(now.frame.index, now.frame.time, now.pyramid);
+  add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
   if (status.result && own_parts.delays_map(*now.pyramid)) {
@@ -55,11 +58,11 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
   return {std::nullopt, "two views found: a map is being made"};
 }
 
-void ConcurrentBootstrap::add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid) {
+void ConcurrentBootstrap::add(Waiting frame) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (queue_.size() >= kMostQueued) queue_.pop_front();
-    queue_.push_back({frame_index, time, std::move(pyramid)});
+    queue_.push_back(std::move(frame));
   }
   wake_.notify_all();
 }
@@ -101,7 +104,7 @@ void ConcurrentBootstrap::search() {
     {
       const TraceScope traced("search of two views", frame.frame_index);
       if (was_reset) bootstrap_.reset();
-      status = bootstrap_.add(frame.frame_index, frame.time, frame.pyramid, attempt);
+      status = bootstrap_.add(frame.frame_index, frame.time, frame.pyramid, attempt, frame.rows);
     }
     lock.lock();
     searched_until_ = frame.frame_index;
@@ -116,6 +119,7 @@ void ConcurrentBootstrap::make_map(BootstrapResult views, std::optional<SureView
                                             before = std::move(before)]() mutable {
     name_traced_thread("first map");
     const TraceScope traced("first map", made.views.views.back().frame_index);
+    map_->rectify_rows(&made.views);
     made.problem = map_->make_map(made.views);
     if (!made.problem.empty()) return std::move(made);
     const std::shared_ptr<const Reference> reference = map_->first_reference();

@@ -36,7 +36,8 @@ struct MadeMap {
 class ConcurrentBootstrap {
  public:
   /// `map` must outlive this object.
-  ConcurrentBootstrap(const Pinhole& pinhole, const OdometryParams& params, uint64_t seed, MapLink* map);
+  ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params, uint64_t seed,
+                      MapLink* map);
   /// Waits for an attempt, or a map, that is under way.
   ~ConcurrentBootstrap();
 
@@ -73,9 +74,10 @@ class ConcurrentBootstrap {
     int frame_index;
     Timestamp time;
     std::shared_ptr<const FramePyramid> pyramid;
+    ImageMotion rows;  // for which they have been rectified
   };
   void search();
-  void add(int frame_index, Timestamp time, std::shared_ptr<const FramePyramid> pyramid);
+  void add(Waiting frame);
   BootstrapStatus poll();
   void resume();
   int searched_until() const;

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace edgevo {
 namespace {
+
+// What makes a motion wrong (evaluation/frame_judge.h).
+constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;
 
 // 0 for a value that is unknown or negative.
 double limited(double value) { return value > 0 ? std::min(value, kMostDoubt) : 0.0; }
@@ -24,7 +28,6 @@ bool knows_lengths(const CornerEvidence& c) {
 }  // namespace
 
 double doubt_of_corner_motion(const CornerEvidence& c) {
-  constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;  // of evaluation/frame_judge.h
   constexpr double kSigmas = 2.5;
   const double of_length = limited(beyond(c.motion_error, kSigmas * c.motion_sigma) / kWrongShare);
   const double of_depth =
@@ -39,7 +42,7 @@ double doubt_of_corner_motion(const CornerEvidence& c) {
 }
 
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
-  constexpr double kWrongDeg = 3, kSigmas = 2, kShownShare = 0.4, kLeastError = -0.5;
+  constexpr double kSigmas = 1, kShownShare = 0.4, kLeastError = -0.5;
   if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
   const double error = std::max(kLeastError, focal_error / kShownShare);
   return limited(std::abs(error) / (1 + error) * turn_deg / kWrongDeg);
@@ -62,10 +65,14 @@ double doubt_without_witness(const std::optional<CornerEvidence>& c) {
   return std::clamp((c->motion_sigma - kTells) / (kDoesNotTell - kTells), 0.0, 1.0);
 }
 
-double doubt_of_support(double inlier_share, double usual_share, double residual_px, double usual_px) {
-  const double drop = 2 * std::log(usual_share / std::max(inlier_share, 1e-3));
-  const double rise = 2 * std::log(residual_px / usual_px);
-  return std::max(limited(drop), limited(rise));
+double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad) {
+  const double error = error_per_rad * turn_rad;  // median depths
+  return std::min(limited(error / kWrongDepths), limited(error / (kWrongShare * length_depths)));
+}
+
+double turn_error(const CornerEvidence& c, double turn_rad) {
+  constexpr double kLeastTurn = 0.05;
+  return turn_rad > kLeastTurn ? c.motion_error_depths / turn_rad : std::numeric_limits<double>::quiet_NaN();
 }
 
 double doubt_of_step(double recent, double usual, double median_depth) {

@@ -19,7 +19,7 @@ inline constexpr double kMostDoubt = 3;
 double doubt_of_corner_motion(const CornerEvidence& c);
 /// Error of the turn over ten frames, `turn_deg`, that a wrong focal length makes: 1 for 3 degrees, since a
 /// turn is the way of the image over the focal length. `focal_error`: true focal length over the camera's,
-/// less 1, by the matches; 0 within two of its standard deviations. Matches are biased towards what the wrong
+/// less 1, by the matches; 0 within one of its standard deviations. Matches are biased towards what the wrong
 /// camera predicts: of 20 % they show two fifths in the median of seven runs, which is made up for here.
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg);
 /// Change of the map's unit over the last ten, or the last fifty frames, beyond one standard deviation: 1 for
@@ -30,9 +30,15 @@ double doubt_of_corner_agreement(const CornerEvidence& c);
 /// 1 without corners, or if the standard deviation of their motion is a quarter of it or more; less for a
 /// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no witness of its length.
 double doubt_without_witness(const std::optional<CornerEvidence>& c);
-/// Natural logarithm of the inlier share's drop, or the residual's rise, against what is usual in the run,
-/// times 2.
-double doubt_of_support(double inlier_share, double usual_share, double residual_px, double usual_px);
+/// A translation that the turn over ten frames hides: rows read out one after another, a residual distortion
+/// and wrong depths all make a turn look like a translation in proportion to it, for edges and for corners
+/// alike. `error_per_rad`: what the two differ by, in median depths per radian of turn, in this run
+/// (turn_error()). 1 where that much makes the motion wrong: 2 % of the depth and a quarter of the length.
+/// `length_depths`: length of the motion, median depths.
+double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad);
+/// Difference between the motion over ten frames and that of the corners, median depths per radian of turn;
+/// NaN: unknown, or hardly a turn.
+double turn_error(const CornerEvidence& c, double turn_rad);
 /// Natural logarithm of the recent mean step over the usual one, either way. Steps that are small against the
 /// median depth do not count.
 double doubt_of_step(double recent, double usual, double median_depth);

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "edgevo/odometry/trust.h"
+
 namespace edgevo {
 
 FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log)
@@ -35,6 +37,10 @@ void FrameLog::place(int segment, const Reference& reference, const SE3& T_cam_r
 
 void FrameLog::place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref) {
   FrameAnchored placed = anchored(std::move(record), segment, reference, T_cam_ref);
+  FrameRecord& frame = placed.frame;
+  if (const double times = run().times_usual_step(frame.index, *frame.T_world_cam_live);
+      times > kGiantTimes && frame.state == TrackingState::kTracking)
+    frame.state = TrackingState::kDegraded, frame.note = giant_step_in_words(times);
   if (placed.frame.index == newest_.frame.index)
     newest_ = std::move(placed);
   else
@@ -45,6 +51,10 @@ std::optional<FrameRecord> FrameLog::find(int frame_index) {
   if (frame_index == newest_.frame.index) return newest_.frame;
   const FrameRecord* record = run().find(frame_index);
   return record ? std::make_optional(*record) : std::nullopt;
+}
+
+double FrameLog::times_usual_step(int frame_index, int segment, const SE3& T_cam_map) {
+  return run().times_usual_step(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
 }
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {

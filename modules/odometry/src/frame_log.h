@@ -31,10 +31,12 @@ class FrameLog {
   void announce();
 
   /// Anchors an earlier frame, or the newest one, with a record that replaces the present one; announces an
-  /// earlier one.
+  /// earlier one. After a giant step (odometry/trust.h) it is not TRACKING.
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);
+  /// RunBuilder::times_usual_step() of the newest frame with the pose `T_cam_map`.
+  double times_usual_step(int frame_index, int segment, const SE3& T_cam_map);
   /// Announces the pose of a segment's map in the world.
   void begin_segment(const SegmentPlaced& placed);
 

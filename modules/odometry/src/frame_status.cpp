@@ -90,6 +90,11 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
   return {state_of(support), reason_of(support, evidence, params)};
 }
 
+FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params) {
+  params.min_visible = 0;
+  return frame_status(evidence, params);
+}
+
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
   const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_giant_step;
   if (by_image.state == TrackingState::kLost || is_sure) return by_image;

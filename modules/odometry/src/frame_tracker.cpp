@@ -29,11 +29,18 @@ Proposer propose_median_motion(const TrackingTask& task, const std::optional<Med
           [&] { return std::vector<PoseHypothesis>{prior->hypothesis()}; }};
 }
 
-// Corners are tracked when the frame is about to be lost, or has few inliers while a keyframe is made at
-// every frame: large motion. At small motion bad light causes the same, and misleads corners, too.
+// Most depths are guesses, and points that are free along their edges fit a pose, right or wrong.
+bool is_guess(const TrackingTask& task) {
+  return task.params.mapping.corners.max_inlier_share > 0 &&
+         2 * size_t(task.reference.known_points) < task.reference.cloud.points.size();
+}
+
+// Corners are tracked when the frame is about to be lost, or has few inliers or mostly guessed depths while a
+// keyframe is made at every frame: large motion. At small motion bad light causes the same, and
+// misleads corners, too.
 bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const SupportScorer& scorer) {
-  if (task.was_lost || !(pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share))
-    return false;
+  const bool few_fit = pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share;
+  if (task.was_lost || !(few_fit || is_guess(task))) return false;
   return scorer.is_lost(pose) || (task.keyframes.follows_keyframe() &&
                                   task.keyframes.calls_for_keyframe(pose.T_cur_ref, task.reference));
 }
@@ -177,6 +184,22 @@ Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges) {
     if (scorer.score(candidate) > scorer.score(best)) best = std::move(candidate);
   }
   measure_pose(task, best, scorer, &track);
+  return track;
+}
+
+Track hold_pose(const TrackingTask& task, const SE3& T_cur_ref) {
+  const AlignmentParams& params = task.params.alignment;
+  const ReferenceCloud& cloud = task.reference.cloud;
+  // Where the edges would have it; only its statistics count.
+  PoseCandidate held =
+      align(task.pyramid, cloud, {T_cur_ref, PoseHypothesis::Refinement::kFinestEdges}, params);
+  held.T_cur_ref = T_cur_ref;
+  held.evidence = weigh_evidence(task.pyramid, cloud, T_cur_ref, params);
+  Track track;
+  track.is_held = true;
+  track.twist = task.motion.twist(T_cur_ref);
+  track.result = assess(task.pyramid, cloud, held, params);
+  track.step_sigmas = step_sigmas(task.motion, T_cur_ref);
   return track;
 }
 

@@ -27,6 +27,7 @@ FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& par
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
   const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose), rectification_};
   newest_pyramid_ = builder_.build(frame, rows.expected);
+  if (newest_pyramid_->still.empty()) standstill_.clear();
   return {frame, newest_pyramid_, rows, nullptr};
 }
 
@@ -50,15 +51,18 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   return track;
 }
 
+TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, bool was_lost) {
+  return {*now.pyramid, scene,    motion_,
+          keyframes_,   params_,  now.rows,
+          was_lost,     &random_, corners_beside_ != nullptr};
+}
+
 // Without what moves by itself; again, if something is found to.
 Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
   const auto scene_at = [&](const SE3& T_cur_ref) {
     return bodies_.without(reference_, builder_.pinhole(), T_cur_ref);
   };
-  const auto track = [&](const Reference& scene) {
-    return track_frame({*now.pyramid, scene, motion_, keyframes_, params_, now.rows, was_lost, &random_,
-                        corners_beside_ != nullptr});
-  };
+  const auto track = [&](const Reference& scene) { return track_frame(task(now, scene, was_lost)); };
   bodies_.follow(*now.pyramid);
   std::shared_ptr<const Reference> scene = scene_at(motion_.predict());
   Track found = track(*scene);
@@ -69,9 +73,22 @@ Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
     found.corner_ms += corner_ms;
   }
   found.scene = scene;
+  hold_standstill(now, was_lost, &found);
   found.moving_bodies =
       bodies_.evaluate(builder_.pinhole(), motion_to(found.result.T_cur_ref), reference_->median_idepth);
   return found;
+}
+
+// The pose of before, where something hides so much of the view that no pose is supported.
+void FrontEnd::hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found) {
+  if (classify(evidence_of(found->result), params_.status) == PoseSupport::kGood) return;
+  std::shared_ptr<const Reference> still =
+      standstill_.still_part(*now.pyramid, reference_, found->result.T_cur_ref, params_.alignment);
+  if (!still) return;
+  const double corner_ms = found->corner_ms;
+  *found = hold_pose(task(now, *still, was_lost), standstill_.T_standing_ref());
+  found->corner_ms = corner_ms;
+  found->scene = std::move(still);
 }
 
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
@@ -91,6 +108,7 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
   motion_.follow(track.result.T_cur_ref, track.used_median_motion);
+  standstill_.follow(*now.pyramid, track.result.T_cur_ref);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;
@@ -129,10 +147,14 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
 void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
   if (reference_) {
-    if (newest->unit != reference_->unit) motion_.change_unit(newest->unit / reference_->unit);
+    if (newest->unit != reference_->unit) {
+      motion_.change_unit(newest->unit / reference_->unit);
+      standstill_.change_unit(newest->unit / reference_->unit);
+    }
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
     motion_.change_reference(T_old_world * newest->T_ref_world.inverse());
+    standstill_.change_reference(T_old_world * newest->T_ref_world.inverse());
   }
   reference_ = std::move(newest);
 }
@@ -143,6 +165,7 @@ void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::
   keyframes_.restart();
   coverage_.restart();
   bodies_.clear();
+  standstill_.clear();
 }
 
 FrameView FrontEnd::view(double idepth_factor) const {

@@ -21,6 +21,7 @@
 #include "motion_model.h"
 #include "moving_bodies.h"
 #include "rolling_shutter.h"
+#include "standstill.h"
 
 namespace edgevo {
 
@@ -88,7 +89,9 @@ class FrontEnd {
  private:
   ImageMotion expected_motion(bool has_pose) const;
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
+  TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
   Track track_scene(const ArrivedFrame& now, bool was_lost);
+  void hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
   OdometryParams params_;
@@ -100,6 +103,7 @@ class FrontEnd {
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
   MovingBodies bodies_;
+  Standstill standstill_;
   std::shared_ptr<const Reference> reference_;
   std::shared_ptr<const FramePyramid> newest_pyramid_;
 };

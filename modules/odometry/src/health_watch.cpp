@@ -5,14 +5,22 @@
 
 namespace edgevo {
 
+// Whether the view is that by which a new map was joined to the one before.
+bool HealthWatch::repeats_join(const SureView& view) {
+  if (std::exchange(begins_map_, false)) joined_by_ = view.reference->keyframe_id;
+  return joined_by_ == view.reference->keyframe_id;
+}
+
 HealthWatch::Health HealthWatch::add(int frame_index, const SureView& view, bool is_doubtful) {
+  const bool is_join = repeats_join(view);
   const bool follows_loss = std::exchange(was_lost_, false), is_sure = !is_doubtful && !follows_loss;
   sure_ = is_sure ? sure_ + 1 : 0;
   if (!is_sure) {
     if (state_ == Health::kSure && !follows_loss) go_back_before(frame_index - kDoubtReach);
     return state_ = Health::kInDoubt;
   }
-  if (state_ == Health::kInDoubt && sure_ < kDoubtReach) return state_;
+  if (state_ == Health::kInDoubt && (sure_ < kDoubtReach || is_join)) return state_;
+  joined_by_.reset();
   const bool has_returned = state_ == Health::kInDoubt;
   if (has_returned) recent_.clear();
   if (recent_.empty() || recent_.back().reference != view.reference) recent_.push_back(view);
@@ -27,6 +35,8 @@ HealthWatch::Health HealthWatch::add(int frame_index, const SureView& view, bool
 void HealthWatch::begin_map() {
   state_ = before_ ? Health::kInDoubt : Health::kSure;
   was_lost_ = false;
+  begins_map_ = state_ == Health::kInDoubt;
+  joined_by_.reset();
   sure_ = 0;
   recent_.clear();
 }

@@ -17,16 +17,27 @@ MapLink::MapLink(const Rectification& rectification, const OdometryParams& param
                // In realtime mapping must not pause for long.
                options.realtime,
                [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
-                 const TraceScope traced("image of a keyframe");
-                 const std::lock_guard<std::mutex> lock(rebuilding_);
-                 rebuilder_.set_correction(now);
-                 return rebuilder_.rebuild(old, motion);
+                 return rebuild(old, motion, now);
                },
                log_, options.move_map, options.forget}),
       // Called in the mapping thread. What mapping learns about a frame leaves with this event.
       thread_(&mapper_, options.realtime, [this](const TrackedFrame& frame, const MapUpdate& update) {
         log_->append(FrameMapped{frame.frame_index, update.times, update.adjustment});
       }) {}
+
+std::shared_ptr<const FramePyramid> MapLink::rebuild(const FramePyramid& old, const ImageMotion& motion,
+                                                     const ImageCorrection& now) {
+  const TraceScope traced("image of a keyframe");
+  const std::lock_guard<std::mutex> lock(rebuilding_);
+  rebuilder_.set_correction(now);
+  return rebuilder_.rebuild(old, motion);
+}
+
+void MapLink::rectify_rows(BootstrapResult* views) {
+  for (BootstrapView& v : views->views)
+    if (v.pyramid && v.motion.is_known() && !v.is_straight)
+      v.pyramid = rebuild(*v.pyramid, v.motion, v.pyramid->correction);
+}
 
 std::string MapLink::make_map(const BootstrapResult& views) {
   thread_.wait_idle();

@@ -37,6 +37,8 @@ class MapLink {
   /// What mapping skips from now on.
   void shed(Shedding shedding);
 
+  /// Rebuilds the images of the views for their motions, where a rolling shutter has read them: 8 ms each.
+  void rectify_rows(BootstrapResult* views);
   /// Closes the present map, if any, and builds a new one from two views. Returns an empty string, or why
   /// they make no map. Waits until all submitted frames are processed.
   [[nodiscard]] std::string make_map(const BootstrapResult& views);
@@ -58,6 +60,8 @@ class MapLink {
   RealtimeRecord finish();
 
  private:
+  std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion,
+                                              const ImageCorrection& now);
   void close_segment();
 
   std::chrono::milliseconds longest_wait_;

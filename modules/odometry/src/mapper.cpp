@@ -79,6 +79,7 @@ void Mapper::add_first_keyframes(const BootstrapResult& bootstrap) {
     k.frame_index = view->frame_index;
     k.time = view->time;
     k.pyramid = view->pyramid;
+    k.motion = view->motion;
     k.T_cam_world = view->T_cam_first;
     if (view == chosen.front() || view == chosen.back())
       k.immature = first_points(k, bootstrap.corners, view == chosen.back());

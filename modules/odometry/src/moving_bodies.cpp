@@ -265,14 +265,7 @@ std::shared_ptr<const Reference> MovingBodies::without(std::shared_ptr<const Ref
   }
   if (kept.size() == all.points.size() || known < kFewPoints) return reference;
   const auto thinned = std::make_shared<Reference>(*reference);
-  thinned->cloud = {all.pyramid, {}, {}, {}};
-  thinned->cloud.patches.resize(all.patches.size());
-  for (size_t i : kept) {
-    thinned->cloud.points.push_back(all.points[i]);
-    for (size_t l = 0; l < all.patches.size(); ++l)
-      if (!all.patches[l].empty()) thinned->cloud.patches[l].push_back(all.patches[l][i]);
-    if (!all.gradient_patches.empty()) thinned->cloud.gradient_patches.push_back(all.gradient_patches[i]);
-  }
+  thinned->cloud = part_of(all, kept);
   thinned->known_points = known;
   return thinned;
 }

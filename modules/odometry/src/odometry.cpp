@@ -28,12 +28,12 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       adjustments(log),
       front_end(rectification, p, o),
       map(rectification, p, o, log),
-      bootstrapper(rectification.target(), p, o.seed, &map, &frames) {
+      bootstrapper(rectification, p, o.seed, &map, &frames) {
   front_end.set_correction(map.initial_camera().correction);
   if (p.health.corners) corners.emplace();
   if (o.forget) frames.forget();
   if (o.realtime && o.on_schedule)
-    concurrent = std::make_unique<ConcurrentBootstrap>(rectification.target(), p, o.seed, &map);
+    concurrent = std::make_unique<ConcurrentBootstrap>(rectification, p, o.seed, &map);
 }
 
 FrameRecord Odometry::Impl::process(const Frame& frame) {
@@ -132,7 +132,8 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
 void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   Track track = front_end.find_pose(now, !state.has_pose());
   if (track.moving_bodies > 0) say(now.frame, "a body moves by itself: no edges are taken from it");
-  FrameStatus status = frame_status(now.record->evidence, params.status);
+  FrameStatus status = track.is_held ? status_of_held_pose(now.record->evidence, params.status)
+                                     : frame_status(now.record->evidence, params.status);
   if (const std::string reason = front_end.reason_against_step(track.result.T_cur_ref);
       !reason.empty() && status.state != TrackingState::kLost)
     status = {TrackingState::kLost, reason};
@@ -182,7 +183,9 @@ void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       trust.add_adjustment(*mapped->adjustment);
-  const FrameTrust found = trust.add({record->evidence, state.segment(), newest_pose.T_cam_map->inverse()});
+  const SE3& T_cam_map = *newest_pose.T_cam_map;
+  const FrameTrust found = trust.add({record->evidence, state.segment(), T_cam_map.inverse(),
+                                      frames.times_usual_step(record->index, state.segment(), T_cam_map)});
   const FrameStatus status = frame_status(by_image, found);
   record->p_right = found.p_right;
   record->state = status.state;

@@ -34,7 +34,9 @@ BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
   if (status.result && own_parts.delays_map(*now.pyramid)) return {std::nullopt, OwnParts::kDelayReason};
-  if (status.result) status.reason = make_map(now, *status.result);
+  if (!status.result) return status;
+  bootstrapper.rectify_rows(&*status.result);
+  status.reason = make_map(now, *status.result);
   return status;
 }
 
@@ -66,7 +68,7 @@ void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& be
 void Odometry::Impl::note_segment(const Frame& frame, const NewSegment& begun) {
   if (corners) corners->begin_map(begun.reference->median_idepth);
   say(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
-                 std::to_string(state.segment()));
+                 std::to_string(state.segment()) + "; " + begun.why);
 }
 
 // ---- making a map next to the frames (concurrent_bootstrap.h) ----

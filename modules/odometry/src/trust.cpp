@@ -25,12 +25,8 @@ std::string format(const char* pattern, Numbers... numbers) {
   return text;
 }
 
-// A step beyond so many usual ones is none that a camera makes.
-constexpr double kGiantTimes = 10;
-constexpr double kMostShown = 9999;  // after a standstill of no step at all
-
 // A step over the usual one, or over what is a small one for a camera that has stood still.
-double times_usual(double step, double usual, double median_depth) {
+double times_likely(double step, double usual, double median_depth) {
   constexpr double kSmallShare = 0.002;
   const double small = std::isfinite(median_depth) ? kSmallShare * median_depth : 0.0;
   return step / std::max(usual, small);
@@ -81,9 +77,8 @@ std::string in_words(Doubt doubt, const Doubts& doubts, const FrameEvidence& e) 
       return format("%.0f %% of the corners contradict the motion", 100 * (1 - c.agreeing_share));
     case Doubt::kNoWitness:
       return format("too few corners to check the motion (%d)", c.tracks);
-    case Doubt::kSupport:
-      return format("less support than usual (inlier share %.2f; residual %.2f px)", e.inlier_share,
-                    e.residual_px);
+    case Doubt::kTurn:
+      return "a translation that the turn hides";
     case Doubt::kStep:
       return "steps unlike those before";
     case Doubt::kWeakDirection:
@@ -100,6 +95,11 @@ std::string in_words(Doubt doubt, const Doubts& doubts, const FrameEvidence& e) 
 }
 
 }  // namespace
+
+std::string giant_step_in_words(double times) {
+  constexpr double kMostShown = 9999;  // after a standstill of no step at all
+  return format("a step of %.0f times the usual one", std::min(times, kMostShown));
+}
 
 double p_right_at(const TrustKnot* knots, size_t count, double sum) {
   if (sum <= knots[0].sum) return knots[0].p_right;
@@ -141,11 +141,11 @@ double Trust::step_of(const TrustFrame& frame) {
   return step;
 }
 
-// Of the motion over the last ten frames.
-double Trust::turn_deg(const TrustFrame& frame) {
-  rotations_.push_back(frame.T_map_cam.rotation());
-  if (rotations_.size() > kFrames + 1) rotations_.pop_front();
-  return 180 / M_PI * rotations_.front().angularDistance(rotations_.back());
+Trust::Motion Trust::motion_of(const TrustFrame& frame) {
+  poses_.push_back(frame.T_map_cam);
+  if (poses_.size() > kFrames + 1) poses_.pop_front();
+  const SE3 &from = poses_.front(), &to = poses_.back();
+  return {from.rotation().angularDistance(to.rotation()), (to.translation() - from.translation()).norm()};
 }
 
 FrameTrust Trust::add(const TrustFrame& frame) {
@@ -155,9 +155,7 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   // larger ones are not usual as long as half of all are small.
   const double step = step_of(frame), usual_step = steps_.quantile(0.5);
   steps_.add(step);
-  shares_.add(e.inlier_share), residuals_.add(e.residual_px), blurs_.add(e.edge_blur);
-  saturated_.add(e.saturated_share);
-  support_.add(doubt_of_support(e.inlier_share, shares_.median(), e.residual_px, residuals_.median()));
+  blurs_.add(e.edge_blur), saturated_.add(e.saturated_share);
   weak_.add(doubt_of_weak_direction(e.pose_sigmas.back()));
   starvation_.add(doubt_of_starvation(e));
   image_.add(doubt_of_image(e.edge_blur, blurs_.median(), e.saturated_share, saturated_.median()));
@@ -165,12 +163,15 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   FrameTrust trust;
   const CornerEvidence corners = e.corners.value_or(CornerEvidence());
   const auto set = [&](Doubt doubt, double value) { trust.doubts[size_t(doubt)] = value > 0 ? value : 0; };
-  const double camera = doubt_of_focal_length(e.focal_error, e.focal_error_sigma, turn_deg(frame));
+  const Motion motion = motion_of(frame);
+  const double camera = doubt_of_focal_length(e.focal_error, e.focal_error_sigma, motion.turn_deg());
+  turn_errors_.add(turn_error(corners, motion.turn_rad));
   set(Doubt::kMotion, std::max(doubt_of_corner_motion(corners), camera));
   set(Doubt::kCornerScale, doubt_of_corner_scale(corners));
   set(Doubt::kCornerAgreement, doubt_of_corner_agreement(corners));
   set(Doubt::kNoWitness, doubt_without_witness(e.corners));
-  set(Doubt::kSupport, support_.mean());
+  set(Doubt::kTurn,
+      doubt_of_turn(motion.turn_rad, motion.length / e.median_depth, turn_errors_.median(kFewestTurnErrors)));
   set(Doubt::kStep, doubt_of_step(steps_.mean(kRecentSteps), steps_.median(), e.median_depth));
   set(Doubt::kWeakDirection, weak_.mean());
   set(Doubt::kAdjustment, doubt_of_adjustment(moved_.mean()));
@@ -179,13 +180,13 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   trust.p_right = edgevo::p_right(trust.doubts);
   if (trust.p_right < kDoubtfulBelow)
     trust.reason = in_words(largest_contribution(trust.doubts), trust.doubts, e);
-  if (const double times = times_usual(step, steps_.median(), e.median_depth); times > kGiantTimes) {
+  if (const double times = times_likely(step, steps_.median(), e.median_depth); times > kGiantTimes) {
     trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
-    trust.reason = format("a step of %.0f times the usual one", times);
+    trust.reason = giant_step_in_words(times);
   }
-  trust.is_giant_step = step > kGiantTimes * usual_step;
-  if (trust.is_giant_step && trust.reason.empty())
-    trust.reason = format("a step of %.0f times the usual one", std::min(step / usual_step, kMostShown));
+  const double times_usual = std::fmax(step / usual_step, frame.times_usual_live);
+  trust.is_giant_step = times_usual > kGiantTimes;
+  if (trust.is_giant_step && trust.reason.empty()) trust.reason = giant_step_in_words(times_usual);
   return trust;
 }
 

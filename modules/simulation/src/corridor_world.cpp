@@ -97,9 +97,8 @@ class CorridorBuilder {
     const int tiles = b_.texture("floor_tiles", 0), along = b_.texture("stripes", 2),
               white = b_.texture("stripes", 3);
     const Side left{&corridor, 1};
-    const double lift = &corridor == &corridors_.front()
-                            ? 0
-                            : 0.001;  // where two corridors overlap, the later one lies on top
+    // Where two corridors overlap, the later one lies on top.
+    const double lift = 0.001 * double(&corridor - corridors_.data());
     const double cuts[] = {0, kBareFrom * corridor.length, kBareTo * corridor.length, corridor.length};
     for (int i = 0; i < 3; ++i) {
       const double w = cuts[i + 1] - cuts[i];

@@ -108,6 +108,21 @@ TEST(FixedParts, ACameraThatStandsMakesNoMaskWhateverCrosses) {
   }
 }
 
+TEST(StillCells, AreThoseThatABusDoesNotCover) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  show(&builder, 4, 3, 1.3, no_body);
+  const auto bus = [](double x, double y) -> std::optional<double> {
+    if (x > 250 || y < 60 || y > 260) return std::nullopt;
+    return random_blocks(x - 6, y, 3);
+  };
+  const auto before = builder.build(part_view(12, 5.2, no_body, 5));
+  EXPECT_TRUE(before->still.empty()) << "the view moves";
+  const auto pyramid = builder.build(part_view(12, 5.2, bus, 6));
+  EXPECT_FALSE(pyramid->still.contain(0.25, 0.5)) << "the bus";
+  EXPECT_TRUE(pyramid->still.contain(0.8, 0.5));
+  EXPECT_TRUE(pyramid->still.contain(0.999, 0.999));
+}
+
 TEST(FixedParts, EdgesThatSlideAlongThemselvesAreNoPart) {
   const auto lines = [](double x, double y) -> std::optional<double> {
     if (!on_part(x, y)) return std::nullopt;
@@ -121,6 +136,18 @@ TEST(FixedParts, AMaskIsTakenBackWhenWhatItCoversMoves) {
   PyramidBuilder builder(part_camera(), EdgeParams());
   ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->own_mask);
   EXPECT_FALSE(show(&builder, 70, 3, 1.3, no_body, 30)->own_mask);
+}
+
+TEST(FixedParts, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
+  const auto part = [](bool is_lit) {
+    return [is_lit](double x, double y) -> std::optional<double> {
+      if (x < 60 || x > 420 || y < 210) return std::nullopt;
+      return is_lit || x < 180 ? random_blocks(x, y, 2) : 100;
+    };
+  };
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  ASSERT_TRUE(show(&builder, 30, 3, 1.3, part(true))->is_own(380, 270));
+  EXPECT_TRUE(show(&builder, 25, 3, 1.3, part(false), 30)->is_own(380, 270)) << "its instruments are dark";
 }
 
 TEST(FixedParts, AGivenMaskHoldsFromTheFirstImage) {

@@ -197,6 +197,21 @@ TEST(FrameJudge, TheTruthMayBeThatOfAnotherBody) {
   EXPECT_EQ(wrong_frames(j), 0);
 }
 
+// A camera whose translations are all wrong alike: some turn of it makes them right, and its rotations wrong.
+TEST(FrameJudge, NoMountExplainsWrongTranslationsAgainstTheRotations) {
+  MadeRun made = made_run(winding_drive(400, 0.8));
+  const Eigen::Quaterniond wrong(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitX()));
+  SE3 pose;
+  for (size_t i = 0; i < made.claims.size(); ++i) {
+    if (i > 0) {
+      const SE3 step = made.truth.poses[i - 1].T_world_cam.inverse() * made.truth.poses[i].T_world_cam;
+      pose = pose * SE3(step.rotation(), MadeRun::kUnitsPerMetre * (wrong * step.translation()));
+    }
+    made.claims[i].T_world_cam = pose;
+  }
+  EXPECT_LT(evaluated(made).T_body_cam.angle(), 1e-6);
+}
+
 TEST(TruthNoise, IsThatOfTheSamples) {
   EXPECT_NEAR(truth_noise(test::with_noise(winding_drive(500, 0.05), 0.01, 4)).position_m, 0.01, 0.001);
   EXPECT_LT(truth_noise(winding_drive(500, 0.05)).position_m, 1e-4);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "edgevo/core/point_filter.h"
 #include "support/bundle_adjustment_scene.h"
 
@@ -212,6 +214,25 @@ TEST(RunBuilder, EventsAboutWhatIsNotKnownAreIgnored) {
   EXPECT_FALSE(run.frames[0].T_world_cam);
   EXPECT_TRUE(run.frames[1].T_world_cam) << "the live pose: its keyframe is lost";
   EXPECT_EQ(run.frames[1].reference_keyframe, -1);
+}
+
+// A step is compared as it was reported: with those of the segment before, whatever its unit.
+TEST(RunBuilder, ComparesAStepWithThoseReportedBefore) {
+  const auto at = [](double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); };
+  RunBuilder builder(test::pinhole());
+  builder.apply(at_origin());
+  for (int i = 0; i < 10; ++i) builder.apply(frame(i, FrameAnchor{1, {}, at(i).inverse(), 0}));
+  EXPECT_TRUE(std::isnan(builder.times_usual_step(10, at(12))));
+  SegmentPlaced placed = at_origin(1);
+  placed.T_world_map.scale = 20;
+  builder.apply(placed);
+  FrameAnchored newest = frame(12, FrameAnchor{2, {}, at(0), 0}, 1);
+  newest.frame.T_world_cam_live = at(15);
+  builder.apply(newest);
+  builder.apply(frame(13));  // without a pose
+  EXPECT_DOUBLE_EQ(builder.times_usual_step(13, at(35)), 20);
+  EXPECT_DOUBLE_EQ(builder.times_usual_step(14, at(35)), 10);     // over a gap
+  EXPECT_TRUE(std::isnan(builder.times_usual_step(12, at(12))));  // placed again: its own row is none before
 }
 
 TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {

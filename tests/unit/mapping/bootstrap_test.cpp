@@ -81,6 +81,13 @@ TEST_F(BootstrapOnSweep, RecoversTheMotionUpToScale) {
   EXPECT_NEAR(T.translation().norm() / T_truth.translation().norm() / scale(r), 1, kRotationShare);
 }
 
+TEST_F(BootstrapOnSweep, SaysByWhichModelItMovedAndHowWellThatFits) {
+  Bootstrap bootstrap = make();
+  const BootstrapResult r = run(&bootstrap);
+  EXPECT_THAT(r.why, ::testing::ContainsRegex("motion by (essential matrix|plane|frame before), [0-9.]+ px"));
+  EXPECT_THAT(r.why, HasSubstr("parallax"));
+}
+
 TEST_F(BootstrapOnSweep, RecoversDepthsUpToScale) {
   Bootstrap bootstrap = make();
   const BootstrapResult r = run(&bootstrap);
@@ -123,6 +130,28 @@ TEST_F(BootstrapOnSweep, AFlickeringExposureDoesNoHarm) {
   EXPECT_LT((r.views.back().T_cam_first * T_truth.inverse()).angle(),
             kRotationShare * r.parallax_deg * kDegree);
   expect_direction(r.views.back().T_cam_first.translation(), T_truth.translation(), 8);
+}
+
+// As the predicted motion straightens them while an older map is still tracked.
+TEST_F(BootstrapOnSweep, RowsThatAreStraightAlreadyStayAsTheyAre) {
+  ImageMotion turn;
+  turn.velocity << 0, 0, 0, 0, 1, 0;
+  Bootstrap global = make();
+  Bootstrap rolling = make();
+  BootstrapStatus by_global, by_rolling;
+  for (int k = 0; k < 40 && !by_global.result; ++k) {
+    by_global = global.add(k, time_of(k), scene.pyramid(sweep_pose(k)));
+    const auto rolled = std::const_pointer_cast<FramePyramid>(scene.pyramid(sweep_pose(k)));
+    rolled->correction.readout_s = 0.05;
+    by_rolling = rolling.add(k, time_of(k), rolled, true, turn);
+  }
+  ASSERT_TRUE(by_global.result && by_rolling.result);
+  ASSERT_EQ(by_rolling.result->corners.size(), by_global.result->corners.size());
+  EXPECT_EQ(by_rolling.result->corners.front().px_last, by_global.result->corners.front().px_last);
+  for (const BootstrapView& view : by_rolling.result->views) {
+    EXPECT_TRUE(view.is_straight);
+    EXPECT_EQ(view.motion.velocity, turn.velocity);
+  }
 }
 
 TEST_F(BootstrapOnSweep, TheSameSeedGivesTheSameResult) {

@@ -81,6 +81,20 @@ TEST(ViewLink, HalfOfTheDepthsMayBeWrong) {
   EXPECT_NEAR(link->scale * 2, 1, 0.15);
 }
 
+// The depths of a bent map agree with their neighbours: their spread does not show the error.
+TEST(ViewLink, AMapThatIsBentIsNoBetterKnownThanItsHalvesAgree) {
+  const SE3 T = motion(0.1, {-0.8, 0.2, -2});
+  TwoViews views(T, 1, 300);
+  const double straight = views.link().value().sigma;
+  EXPECT_LT(straight, 0.05);
+  for (CloudPoint& p : views.map_b) p.idepth *= 1 + 0.1 * p.ray.x() / 0.4;
+  const auto bent = views.link();
+  EXPECT_TRUE(!bent || bent->sigma > 0.07);
+  TwoViews far(T, 1, 300);
+  for (CloudPoint& p : far.map_b) p.idepth *= p.idepth > 1 / 14.0 ? 0.95 : 1.05;
+  EXPECT_GT(far.link().value().sigma, 0.07);
+}
+
 TEST(ViewLink, GuessedDepthsHaveNoSay) {
   TwoViews views(motion(0, {-1, 0, -1.5}), 2);
   for (CloudPoint& p : views.map_b) p.host_keyframe = -1;

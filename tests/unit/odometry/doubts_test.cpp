@@ -65,7 +65,8 @@ TEST(DoubtOfCornerMotion, DoesNotTrustUncertainCorners) {
 TEST(DoubtOfFocalLength, IsOneWhereItTurnsThreeDegreesTooFarOrNotFarEnough) {
   EXPECT_NEAR(doubt_of_focal_length(0.1, 0.02, 15), 1, 1e-9) << "25 % off: 12 degrees in truth";
   EXPECT_NEAR(doubt_of_focal_length(-0.08, 0.02, 12), 1, 1e-9) << "20 % off: 15 degrees in truth";
-  EXPECT_EQ(doubt_of_focal_length(0.02, 0.011, 30), 0) << "within two standard deviations";
+  EXPECT_EQ(doubt_of_focal_length(0.02, 0.021, 30), 0) << "within a standard deviation";
+  EXPECT_GT(doubt_of_focal_length(0.09, 0.06, 20), 1) << "what a run of thirty keyframes says";
   EXPECT_EQ(doubt_of_focal_length(0.25, 0.01, 0), 0);
   EXPECT_EQ(doubt_of_focal_length(std::nan(""), std::nan(""), 30), 0);
 }
@@ -107,12 +108,19 @@ TEST(DoubtWithoutWitness, LetsACameraThatStandsBe) {
   EXPECT_EQ(doubt_without_witness(standing), 0);
 }
 
-TEST(DoubtOfSupport, IsAgainstWhatIsUsualInTheRun) {
-  EXPECT_EQ(doubt_of_support(0.9, 0.9, 0.5, 0.5), 0);
-  EXPECT_EQ(doubt_of_support(0.95, 0.9, 0.4, 0.5), 0) << "better than usual";
-  EXPECT_NEAR(doubt_of_support(0.45, 0.9, 0.5, 0.5), 2 * std::log(2), 1e-9);
-  EXPECT_NEAR(doubt_of_support(0.9, 0.9, 1.0, 0.5), 2 * std::log(2), 1e-9);
-  EXPECT_EQ(doubt_of_support(0, 0.9, 0.5, 0.5), kMostDoubt);
+TEST(DoubtOfTurn, IsOneWhereTheTurnMakesTheMotionWrong) {
+  EXPECT_NEAR(doubt_of_turn(0.4, 0.05, 0.05), 1, 1e-9) << "an error of 2 % of the depth";
+  EXPECT_NEAR(doubt_of_turn(0.4, 0.16, 0.1), 1, 1e-9) << "an error of a quarter of the length";
+  EXPECT_LT(doubt_of_turn(0.5, 1, 0.05), 0.11) << "a drive around a corner: the way is long";
+  EXPECT_EQ(doubt_of_turn(0, 0.001, 0.1), 0) << "a camera that stands";
+}
+
+TEST(DoubtOfTurn, RestsOnTurnsAlone) {
+  CornerEvidence c = good_corners();
+  c.motion_error_depths = 0.03;
+  EXPECT_NEAR(turn_error(c, 0.3), 0.1, 1e-9);
+  EXPECT_TRUE(std::isnan(turn_error(c, 0.01)));
+  EXPECT_EQ(doubt_of_turn(0.4, 0.05, kUnknown), 0);
 }
 
 TEST(DoubtOfStep, IsTheLogarithmOfTheRatioEitherWay) {
@@ -159,7 +167,7 @@ TEST(Doubts, UnknownEvidenceHasADefinedValue) {
   const CornerEvidence none;
   for (const double doubt :
        {doubt_of_corner_motion(none), doubt_of_corner_scale(none), doubt_of_corner_agreement(none),
-        doubt_of_support(kUnknown, kUnknown, kUnknown, kUnknown), doubt_of_step(kUnknown, kUnknown, kUnknown),
+        doubt_of_turn(kUnknown, kUnknown, kUnknown), doubt_of_step(kUnknown, kUnknown, kUnknown),
         doubt_of_adjustment(kUnknown), doubt_of_image(kUnknown, kUnknown, kUnknown, kUnknown)})
     EXPECT_EQ(doubt, 0) << "what is not known is no suspicion; that nothing is known is one of its own";
   EXPECT_EQ(doubt_without_witness(none), 1);

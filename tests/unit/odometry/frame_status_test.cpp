@@ -95,6 +95,15 @@ TEST(FrameStatus, FollowsItsParameters) {
   EXPECT_EQ(frame_status(good_frame(), strict).state, TrackingState::kLost);
 }
 
+TEST(FrameStatus, AHeldPoseNeedsNoPointsInView) {
+  StatusParams strict = kParams;
+  strict.min_visible = 1001;
+  EXPECT_EQ(frame_status(good_frame(), strict).state, TrackingState::kLost);
+  EXPECT_EQ(status_of_held_pose(good_frame(), strict).state, TrackingState::kTracking);
+  strict.degraded_share = 0.95;
+  EXPECT_EQ(status_of_held_pose(good_frame(), strict).state, TrackingState::kDegraded);
+}
+
 // ---- the image and the map ----
 
 TEST(Evidence, AnImageNeeds200EdgePixelsToBeFollowed) {

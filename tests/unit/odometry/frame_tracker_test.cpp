@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "collect_evidence.h"
 #include "corner_search.h"
 #include "edgevo/odometry/frame_status.h"
@@ -21,6 +23,7 @@ class FrameTracker : public ::testing::Test {
  protected:
   FrameTracker() {
     reference.cloud = scene.cloud(SE3());
+    reference.known_points = int(reference.cloud.points.size());
     reference.T_keyframe_world[0] = SE3();
     for (int i = 0; i < 3; ++i) {
       motion.begin_frame(Timestamp::from_seconds(0.1 * i));
@@ -52,6 +55,17 @@ TEST_F(FrameTracker, FindsAFrameAtConstantVelocity) {
   EXPECT_FALSE(t.used_median_motion);
   EXPECT_EQ(t.corner_ms, 0) << "the edges explain the frame";
   EXPECT_LT((t.twist - kStep.log() / 0.1).norm(), 0.15);
+}
+
+TEST_F(FrameTracker, AHeldPoseStaysAndIsMeasured) {
+  const SE3 near = SE3::exp(twist(0.004, 0, 0, 0, 0, 0)) * truth;
+  const auto pyramid = scene.pyramid(truth.inverse());
+  const Track held = hold_pose({*pyramid, reference, motion, keyframes, params, {}, false, &random}, near);
+  EXPECT_TRUE(held.is_held);
+  EXPECT_EQ(held.result.T_cur_ref.translation(), near.translation());
+  EXPECT_EQ(support(held), PoseSupport::kGood);
+  EXPECT_TRUE(std::isfinite(held.result.sigmas.sum()));
+  EXPECT_GT(held.result.sigmas.minCoeff(), 0);
 }
 
 TEST_F(FrameTracker, CornersGiveAHypothesisBeforeAFrameIsLostButNotAfter) {
@@ -111,6 +125,17 @@ TEST_F(ABentMap, DoesNotTurnTheCameraWhenItBeginsToBend) {
   EXPECT_LT(error_of(track().result.T_cur_ref), 0.008);
   params.mapping.corners.min_agreeing = 10000;
   EXPECT_GT(error_of(track().result.T_cur_ref), 0.012) << "the edges alone follow the map";
+}
+
+// Nearly all of the edges fit the frame; where most depths are guesses, that says little.
+TEST_F(ABentMap, IsHeldByCornersHoweverWellItsEdgesFitWhereMostDepthsAreGuesses) {
+  params.mapping.corners.max_inlier_share = 0.01;
+  EXPECT_EQ(track().corner_ms, 0);
+  reference.known_points = int(reference.cloud.points.size()) / 2 - 1;
+  EXPECT_GT(track().corner_ms, 0);
+  EXPECT_LT(error_of(track().result.T_cur_ref), 0.01);
+  params.mapping.corners.max_inlier_share = 0;
+  EXPECT_EQ(track().corner_ms, 0) << "0: never";
 }
 
 TEST_F(ABentMap, GetsThePoseByItsEdgesFirstWhereCornersAreLeftForLater) {

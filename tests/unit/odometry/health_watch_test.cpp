@@ -77,5 +77,17 @@ TEST_F(HealthOfARun, ALaterMapIsComparedWithTheOneBefore) {
   sure_frames(20);
 }
 
+// The views by which it was joined would say once more what the join said.
+TEST_F(HealthOfARun, ALaterMapIsComparedByAnotherViewThanThatOfItsJoin) {
+  sure_frames(30);
+  watch_.begin_map();
+  const auto joined_by = std::make_shared<Reference>();
+  joined_by->keyframe_id = 100;
+  for (int i = 0; i < 3 * kDoubtReach; ++i)
+    EXPECT_EQ(watch_.add(40 + i, {40 + i, 1, joined_by}, false), Health::kInDoubt) << i;
+  next_ = 404;
+  EXPECT_EQ(frame(false), Health::kReturned);
+}
+
 }  // namespace
 }  // namespace edgevo

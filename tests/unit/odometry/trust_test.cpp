@@ -43,13 +43,12 @@ class Drive {
  public:
   FrameTrust go(const FrameEvidence& evidence, double step = kStep, int frames = 1) {
     FrameTrust newest;
-    for (int i = 0; i < frames; ++i) {
-      z_ += step;
-      newest = trust.add(
-          {evidence, segment,
-           SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn_ += turn, Eigen::Vector3d::UnitY())), {0, 0, z_})});
-    }
+    for (int i = 0; i < frames; ++i) newest = trust.add({evidence, segment, next(step)});
     return newest;
+  }
+  SE3 next(double step = kStep) {
+    z_ += step;
+    return SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn_ += turn, Eigen::Vector3d::UnitY())), {0, 0, z_});
   }
   Trust trust;
   int segment = 0;
@@ -131,6 +130,21 @@ TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
   EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9) << "within what the matches can show";
 }
 
+// Edges and corners share what a rolling shutter does: in single frames they agree on a wrong translation.
+TEST(Trust, ATranslationThatTheTurnsOfTheRunHideIsInDoubt) {
+  Drive drive;
+  FrameEvidence shaken = good_evidence();
+  shaken.corners->motion_error_depths = 0.04;
+  drive.turn = 0.04;
+  const FrameTrust among_turns = drive.go(shaken, 0.002 * kDepth, 60);
+  EXPECT_GT(among_turns.doubts[size_t(Doubt::kTurn)], 1.5);
+  const FrameTrust agreed = drive.go(good_evidence(), 0.002 * kDepth, 10);
+  EXPECT_GT(agreed.doubts[size_t(Doubt::kTurn)], 1.5) << "agreement in one frame is no acquittal";
+  EXPECT_GT(trust_table::kTerms[size_t(Doubt::kTurn)].weight, 0);
+  drive.turn = 0;
+  EXPECT_EQ(drive.go(good_evidence(), 0.002 * kDepth, 12).doubts[size_t(Doubt::kTurn)], 0);
+}
+
 TEST(Trust, IsLowerWithoutAnyWitness) {
   Drive with, without;
   const double high = with.go(good_evidence(), kStep, 50).p_right;
@@ -177,6 +191,19 @@ TEST(Trust, NoStepOfMoreThanTenUsualOnesIsTracking) {
     EXPECT_EQ(status.state, TrackingState::kDegraded);
     EXPECT_THAT(status.reason, HasSubstr("a step of 10 times the usual one"));
   }
+}
+
+// A unit that is set back is no step in the map, but one in what the run reports.
+TEST(Trust, AGiantStepOfTheReportedPosesIsNotTracking) {
+  Drive drive;
+  drive.go(good_evidence(), kStep, 60);
+  const FrameEvidence evidence = good_evidence();
+  const FrameTrust small = drive.trust.add({evidence, 0, drive.next(), 9.9}),
+                   giant = drive.trust.add({evidence, 0, drive.next(), 10.1});
+  EXPECT_FALSE(small.is_giant_step);
+  EXPECT_TRUE(giant.is_giant_step);
+  EXPECT_GT(giant.p_right, kDoubtfulBelow);
+  EXPECT_THAT(giant.reason, HasSubstr("a step of 10 times the usual one"));
 }
 
 // As many small steps as large ones: either may be taken for the usual one.

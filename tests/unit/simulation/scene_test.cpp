@@ -146,6 +146,29 @@ TEST(Scene, ThoseThatTryTheUnitLeadThroughNoWall) {
     EXPECT_NO_THROW(load_scene(name)) << name;
 }
 
+// Two floors at one height take turns in being seen, from image to image.
+TEST(Scene, FloorsOfCorridorsThatMeetLieOneAboveTheOther) {
+  for (const char* name : {"corridor", "tiles"}) {
+    std::vector<const Surface*> floors;
+    const Scene scene = load_scene(name);
+    for (const Surface& s : scene.world->surfaces)
+      if (s.origin.z() < 0.01 && s.side_u.z() == 0 && s.side_v.z() == 0 && s.is_tiled) floors.push_back(&s);
+    ASSERT_GE(floors.size(), 5u) << name;
+    const auto overlap = [](const Surface& a, const Surface& b, int axis) {
+      const auto ends = [axis](const Surface& s) {
+        const double from = s.origin[axis], to = from + s.side_u[axis] + s.side_v[axis];
+        return std::make_pair(std::min(from, to), std::max(from, to));
+      };
+      return std::min(ends(a).second, ends(b).second) - std::max(ends(a).first, ends(b).first);
+    };
+    for (size_t i = 0; i < floors.size(); ++i)
+      for (size_t k = 0; k < i; ++k)
+        if (overlap(*floors[i], *floors[k], 0) > 0.01 && overlap(*floors[i], *floors[k], 1) > 0.01) {
+          EXPECT_GT(std::abs(floors[i]->origin.z() - floors[k]->origin.z()), 5e-4) << name;
+        }
+  }
+}
+
 TEST(Scene, SameSeedSameBytesOtherSeedOtherWorld) {
   const SceneRenderer first(load_scene("desk", 7)), second(load_scene("desk", 7)),
       other(load_scene("desk", 8));

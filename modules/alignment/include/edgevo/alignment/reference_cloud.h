@@ -50,4 +50,7 @@ struct ReferenceCloud {
 ReferenceCloud make_reference_cloud(std::shared_ptr<const FramePyramid> pyramid,
                                     std::vector<CloudPoint> points, bool with_gradient_patches);
 
+/// Some points of a cloud with their patches, by index.
+ReferenceCloud part_of(const ReferenceCloud& all, const std::vector<size_t>& kept);
+
 }  // namespace edgevo

@@ -40,6 +40,23 @@ struct PyramidLevel {
   }
 };
 
+/// The part of a view that stands still while the camera seems to stand: cells over the image, known from the
+/// edges alone. Their edges have kept their place, within half a pixel of the coarsest level with edges,
+/// since before the camera seemed to stand.
+struct StillCells {
+  /// Number of cells across and down; 0: the view moves.
+  int columns = 0, rows = 0;
+  /// By row: 1 for a cell that stands still.
+  std::vector<uint8_t> is_still = {};
+
+  /// Whether there are none.
+  bool empty() const { return is_still.empty(); }
+  /// Whether a place lies in one of them; shares of width and height, 0 to below 1.
+  bool contain(double across, double down) const {
+    return !empty() && is_still[size_t(int(down * rows) * columns + int(across * columns))] != 0;
+  }
+};
+
 /// Pyramid of a frame. Immutable once it is built.
 struct FramePyramid {
   /// Levels, finest first.
@@ -56,6 +73,8 @@ struct FramePyramid {
   Plane<uint8_t> own_area;
   /// Whether a part of the view may be fixed to the camera, which the next images will show.
   bool may_show_own_part = false;
+  /// What stands still before a camera that seems to stand; empty in a rebuilt pyramid.
+  StillCells still;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.

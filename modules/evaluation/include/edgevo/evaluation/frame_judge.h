@@ -21,7 +21,8 @@
 // median depth.
 //
 // Truth of another body. If a constant rotation (up to 15 degrees) and a lever arm between the camera and
-// what the truth describes (a GPS unit) reduce the median error by a third, the truth is moved to the camera
+// what the truth describes (a GPS unit) reduce the median error by a third, and the rotations fit as well as
+// before, the truth is moved to the camera
 // first.
 //
 // Ends. A motion ends with the last frame among the next ten that has a pose in the same segment, and truth.

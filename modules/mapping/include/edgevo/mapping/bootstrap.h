@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/rectification.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/edges/image_motion.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
@@ -27,6 +29,11 @@ struct BootstrapView {
   Timestamp time;
   /// Edge pyramid; null if the image was not kept.
   std::shared_ptr<const FramePyramid> pyramid;
+  /// Motion of the image, by which corners and poses were found; `pyramid` is to be rebuilt for it. Unknown
+  /// with a global shutter.
+  ImageMotion motion;
+  /// Whether the rows of `pyramid` have been rectified for `motion` already.
+  bool is_straight = false;
   /// Motion from the first view to this camera, in the unit of the bootstrap.
   SE3 T_cam_first;
   /// False if PnP failed: no pose.
@@ -49,6 +56,8 @@ struct BootstrapResult {
   std::vector<BootstrapCorner> corners;
   /// Median parallax, degrees.
   double parallax_deg = 0;
+  /// The model that the motion was found by, its error and, over several views, that of the next best motion.
+  std::string why;
 };
 
 /// Outcome of the newest frame.
@@ -63,14 +72,15 @@ struct BootstrapStatus {
 class Bootstrap {
  public:
   /// `seed`: that of RANSAC.
-  Bootstrap(const Pinhole& pinhole, const BootstrapParams& params, uint64_t seed);
+  Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed);
   ~Bootstrap();
 
   /// Adds the next frame. Corners are followed on histogram-equalised images, so that a changing exposure
   /// does no harm. Without `attempt` they are only followed, a tenth of the work: for a caller that is
-  /// behind.
+  /// behind. `rows`: the motion for which the rows of the image have been rectified; unknown: they have not.
   [[nodiscard]] BootstrapStatus add(int frame_index, Timestamp time,
-                                    std::shared_ptr<const FramePyramid> pyramid, bool attempt = true);
+                                    std::shared_ptr<const FramePyramid> pyramid, bool attempt = true,
+                                    const ImageMotion& rows = {});
   /// Forgets all frames.
   void reset();
 

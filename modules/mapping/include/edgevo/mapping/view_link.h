@@ -22,15 +22,17 @@ struct ViewLink {
   SE3 T_b_a;
   /// A length in map a over the same length in map b.
   double scale = 1;
-  /// Standard deviation of the logarithm of `scale`.
+  /// Standard deviation of the logarithm of `scale`: at least what near and far features, or those of the two
+  /// sides of the view, differ by, since a map that is bent has no one scale.
   double sigma = 0;
   /// Number of features that it rests on.
   int features = 0;
 };
 
-/// Links two keyframes by features that both images show; nothing if these are too few, or know the ratio of
-/// the units to less than 15 %. Points whose depth is only a guess (CloudPoint::host_keyframe < 0) have no
-/// say. Deterministic. Cost: some 200 ms at 1241x376.
+/// Links two keyframes by features that both images show; nothing if these are too few, know the ratio of the
+/// units to less than 15 % by their spread, or if two halves of them differ by more than 50 %. Points whose
+/// depth is only a guess (CloudPoint::host_keyframe < 0) have no say. Deterministic. Cost: some 200 ms at
+/// 1241x376.
 std::optional<ViewLink> link_views(const Pinhole& pinhole, const ReferenceCloud& a, const ReferenceCloud& b);
 
 /// Pixels of the same features in two views.

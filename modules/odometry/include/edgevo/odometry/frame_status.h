@@ -41,6 +41,8 @@ struct FrameStatus {
 /// Status of a frame that was tracked: the support of its pose, or, where that is good, DEGRADED if a
 /// direction has a standard deviation above `weak_sigma`.
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
+/// The same for a pose that is held while the camera stands: known from before, it needs no points in view.
+FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params);
 /// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
 /// (core/doubtful_intervals.h), or after a giant step, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.

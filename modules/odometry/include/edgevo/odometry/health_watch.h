@@ -44,8 +44,9 @@ class HealthWatch {
   Health add(int frame_index, const SureView& view, bool is_doubtful);
   /// Adds a frame without a pose.
   void add_lost();
-  /// A new map. Unless it is the first one, it is in doubt until ten frames are sure; before() is still of
-  /// the map before.
+  /// A new map. Unless it is the first one, it is in doubt until ten frames are sure and the last of them was
+  /// tracked against another keyframe than the first: comparing the views that joined the map to the one
+  /// before once more would say what the join said. before() is still of the map before.
   void begin_map();
 
   /// The last reference before the doubt, or before now if there is none; nothing before the first frame.
@@ -53,12 +54,15 @@ class HealthWatch {
 
  private:
   void go_back_before(int frame_index);
+  bool repeats_join(const SureView& view);
 
   std::deque<SureView> recent_;
   std::optional<SureView> before_;
   Health state_ = Health::kSure;
   bool was_lost_ = false;
-  int sure_ = 0;  // sure frames in a row
+  bool begins_map_ = false;
+  std::optional<int> joined_by_;  // keyframe that a new map was joined by
+  int sure_ = 0;                  // sure frames in a row
 };
 
 }  // namespace edgevo

@@ -9,7 +9,9 @@
 // "Right" is what evaluation/frame_judge.h calls so: over ten frames, the translation in the scale of the
 // fifty before, and the rotation.
 #include <array>
+#include <cmath>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -30,8 +32,8 @@ enum class Doubt {
   kCornerAgreement,
   /// There are too few corners, or they move too little, to check the motion.
   kNoWitness,
-  /// Fewer inliers, or larger residuals, than usual in this run.
-  kSupport,
+  /// The camera turns, and hardly moves: an error in proportion to the turn hides the translation.
+  kTurn,
   /// Steps longer or shorter than usual, in the unit of the map.
   kStep,
   /// A direction of the pose that the image hardly constrains.
@@ -56,7 +58,15 @@ struct TrustFrame {
   int segment = 0;
   /// Pose of the camera in the segment's map, in the unit of FrameEvidence::median_depth.
   SE3 T_map_cam;
+  /// The step over the usual one as the run reports it (RunBuilder::times_usual_step): a unit that is set
+  /// back, or that of a new segment, changes it. NaN: not known.
+  double times_usual_live = std::numeric_limits<double>::quiet_NaN();
 };
+
+/// A step of more than so many usual ones is a giant step: none that a camera makes.
+inline constexpr double kGiantTimes = 10;
+/// "a step of 12 times the usual one"
+std::string giant_step_in_words(double times);
 
 /// Trust in a frame.
 struct FrameTrust {
@@ -66,8 +76,9 @@ struct FrameTrust {
   Doubts doubts{};
   /// The largest contribution in words: "scale fell by 0.40 within 10 frames".
   std::string reason;
-  /// Whether the step is longer than ten times the median of the 50 before: the frame is not TRACKING, even
-  /// if it starts from a standstill, which does not make it unlikely.
+  /// Whether the step is longer than ten times the median of the 50 before, in the unit of the map or as the
+  /// run reports it: the frame is not TRACKING, even if it starts from a standstill, which does not make it
+  /// unlikely.
   bool is_giant_step = false;
 };
 
@@ -86,24 +97,31 @@ class Trust {
     interrupt();
   }
   /// A new segment, or a frame without a pose: the next step has no length.
-  void interrupt() { last_centre_.reset(), rotations_.clear(); }
+  void interrupt() { last_centre_.reset(), poses_.clear(); }
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
   static constexpr size_t kFrames = 10;
   /// What is usual is the median over so many frames.
   static constexpr size_t kUsualFrames = 200, kUsualSteps = 50;
+  /// What a turn does to the translation is the median over so many turning frames, of so many at least.
+  static constexpr size_t kTurnErrors = 50, kFewestTurnErrors = 5;
 
   void begin_segment(int segment);
   double step_of(const TrustFrame& frame);
-  double turn_deg(const TrustFrame& frame);
+  // Over the last ten frames.
+  struct Motion {
+    double turn_rad = 0, length = 0;
+    double turn_deg() const { return 180 / M_PI * turn_rad; }
+  };
+  Motion motion_of(const TrustFrame& frame);
 
   int segment_ = -1;
-  std::deque<Eigen::Quaterniond> rotations_;  // of the last ten frames, and the one before them
+  std::deque<SE3> poses_;  // of the last ten frames, and the one before them
   std::optional<Eigen::Vector3d> last_centre_;
-  RecentValues shares_{kUsualFrames}, residuals_{kUsualFrames}, blurs_{kUsualFrames},
-      saturated_{kUsualFrames}, steps_{kUsualSteps};
-  RecentValues support_{kFrames}, weak_{kFrames}, starvation_{kFrames}, image_{kFrames};
+  RecentValues blurs_{kUsualFrames}, saturated_{kUsualFrames}, steps_{kUsualSteps};
+  RecentValues turn_errors_{kTurnErrors};
+  RecentValues weak_{kFrames}, starvation_{kFrames}, image_{kFrames};
   RecentValues moved_{3};
 };
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "standstill.h"
+
+#include <gtest/gtest.h>
+
+#include "rendered_runs.h"
+#include "support/pasted_body.h"
+#include "support/twist.h"
+
+namespace edgevo {
+namespace {
+
+using test::twist;
+
+std::shared_ptr<FramePyramid> made(std::shared_ptr<const FramePyramid> pyramid) {
+  return std::const_pointer_cast<FramePyramid>(std::move(pyramid));
+}
+
+// A camera before a plane, and two images: its keyframe's, and the next one, whose left half may stand still.
+class AStandingCamera : public ::testing::Test {
+ protected:
+  AStandingCamera() {
+    reference->cloud = views.cloud(SE3(), {-500, 0, 70});
+    moving = made(views.pyramid(SE3(), {-500, 0, 70}));
+    standing = made(views.pyramid(SE3(), {200, 60, 110}));
+    moving->still = {};
+    standing->still = {2, 1, {1, 0}};
+    standstill.follow(*moving, SE3());
+  }
+  std::shared_ptr<const Reference> still_part(const FramePyramid& frame, const SE3& T_cur_ref) {
+    return standstill.still_part(frame, reference, T_cur_ref, AlignmentParams());
+  }
+
+  test::SceneWithBody views;
+  std::shared_ptr<Reference> reference = std::make_shared<Reference>();
+  std::shared_ptr<FramePyramid> moving, standing;
+  Standstill standstill;
+  const SE3 turned = SE3::exp(twist(0, 0, 0, 0, 0.02, 0));  // 5 px
+};
+
+TEST_F(AStandingCamera, KeepsItsPoseWhereAnotherOneMovesWhatStandsStill) {
+  const auto still = still_part(*standing, turned);
+  ASSERT_TRUE(still);
+  EXPECT_TRUE(standstill.T_standing_ref().translation().isZero());
+  EXPECT_FALSE(still->cloud.points.empty());
+  for (const CloudPoint& p : still->cloud.points) EXPECT_LT(p.px.x(), 160) << "the right half moves";
+}
+
+TEST_F(AStandingCamera, KeepsItsPoseWhereTooMuchOfItsViewIsHidden) {
+  EXPECT_TRUE(still_part(*standing, SE3()));
+}
+
+TEST_F(AStandingCamera, MovesWithAViewThatMoves) {
+  EXPECT_FALSE(still_part(*moving, turned));
+  standstill.follow(*moving, turned);
+  EXPECT_FALSE(still_part(*standing, turned)) << "it stands where it has moved to";
+}
+
+TEST_F(AStandingCamera, DoesNotCreepWhileItStands) {
+  standstill.follow(*standing, turned);
+  EXPECT_TRUE(still_part(*standing, turned));
+}
+
+TEST_F(AStandingCamera, IsNotHeldToAPoseThatItsStillPartDoesNotFit) {
+  standstill.follow(*moving, SE3::exp(twist(0, 0, 0, 0, 0.3, 0)));
+  EXPECT_FALSE(still_part(*standing, SE3()));
+}
+
+TEST_F(AStandingCamera, KeepsItsPoseInAnotherReferenceAndUnit) {
+  const SE3 T_old_new = SE3::exp(twist(0.2, 0, 0.1, 0, 0, 0));
+  standstill.change_reference(T_old_new);
+  standstill.change_unit(2);
+  for (CloudPoint& p : reference->cloud.points) {
+    const Eigen::Vector3d Y = T_old_new.inverse() * (p.ray / p.idepth);
+    p.ray = Y / Y.z();
+    p.idepth = 0.5 / Y.z();
+  }
+  const SE3 same(T_old_new.rotation(), 2 * T_old_new.translation());
+  EXPECT_TRUE(still_part(*standing, turned * same));
+  EXPECT_LT((standstill.T_standing_ref() * same.inverse()).log().norm(), 1e-9);
+}
+
+TEST_F(AStandingCamera, ForgetsItsPose) {
+  standstill.clear();
+  EXPECT_FALSE(still_part(*standing, turned));
+}
+
+// A stop after 30 frames, in which a body comes that hides three fifths of the view.
+TEST(AStop, BeforeTrafficKeepsThePose) {
+  constexpr int kStop = 30, kStanding = 10;
+  Odometry odometry(test::sweep_camera(), {}, {});
+  for (int k = 0; k < kStop; ++k) odometry.process(test::sweep_frame(k));
+  for (int k = 0; k < kStanding; ++k) {
+    Frame frame = test::sweep_frame(kStop - 1);
+    frame.index = kStop + k;
+    frame.time = Timestamp::from_seconds(0.05 * frame.index);
+    test::paste_body({-215.0 + 22 * k, 25, 215}, &frame.image);
+    odometry.process(frame);
+  }
+  const auto run = odometry.finish();
+  const FrameRecord &before = run.frames[kStop - 1], &last = run.frames.back();
+  ASSERT_TRUE(last.T_world_cam);
+  EXPECT_LT((last.T_world_cam->translation() - before.T_world_cam->translation()).norm(), 0.1)
+      << "a hundredth of the depth";
+  EXPECT_GT(last.evidence.inlier_share, 0.6) << "of what stands still";
+}
+
+}  // namespace
+}  // namespace edgevo
