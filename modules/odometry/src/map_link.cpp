@@ -34,9 +34,10 @@ std::shared_ptr<const FramePyramid> MapLink::rebuild(const FramePyramid& old, co
 }
 
 void MapLink::rectify_rows(BootstrapResult* views) {
+  // By which the corners were straightened.
+  const ImageCorrection now = views->views.back().pyramid->correction;
   for (BootstrapView& v : views->views)
-    if (v.pyramid && v.motion.is_known() && !v.is_straight)
-      v.pyramid = rebuild(*v.pyramid, v.motion, v.pyramid->correction);
+    if (v.pyramid && v.motion.is_known() && !v.is_straight) v.pyramid = rebuild(*v.pyramid, v.motion, now);
 }
 
 std::string MapLink::make_map(const BootstrapResult& views) {

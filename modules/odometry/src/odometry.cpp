@@ -132,6 +132,8 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
 void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   Track track = front_end.find_pose(now, !state.has_pose());
   if (track.moving_bodies > 0) say(now.frame, "a body moves by itself: no edges are taken from it");
+  if (track.is_held && !holds_pose) say(now.frame, "the camera stands, its view is hidden: the pose is held");
+  holds_pose = track.is_held;
   FrameStatus status = track.is_held ? status_of_held_pose(now.record->evidence, params.status)
                                      : frame_status(now.record->evidence, params.status);
   if (const std::string reason = front_end.reason_against_step(track.result.T_cur_ref);

@@ -110,6 +110,7 @@ struct Odometry::Impl {
   NewestPose newest_pose;
   bool camera_announced = false;
   bool frame_announced = false;  // the record of the newest frame as it is now
+  bool holds_pose = false;       // of a camera that stands, in the newest frame
   bool is_finished = false;
 };
 

@@ -40,7 +40,7 @@ std::string shutter_statement(const CameraRefinement::Shutter& s, double readout
     case State::kNotObservable:
       return "the motion was too slow or too short for an estimate";
     case State::kInsignificant:
-      return "no significant read-out time: a global shutter, or a fast one";
+      return "no significant read-out time: a global shutter, a fast one, or turns too fast to show it";
     case State::kAtLimit:
       return "AT ITS LIMIT, not applied: the camera file is probably wrong";
     case State::kApplied:

@@ -22,8 +22,7 @@
 //
 // Truth of another body. If a constant rotation (up to 15 degrees) and a lever arm between the camera and
 // what the truth describes (a GPS unit) reduce the median error by a third, and the rotations fit as well as
-// before, the truth is moved to the camera
-// first.
+// before, the truth is moved to the camera first.
 //
 // Ends. A motion ends with the last frame among the next ten that has a pose in the same segment, and truth.
 // If that is less than five frames ahead it is not evaluated. So what comes just before a loss is evaluated
