@@ -10,6 +10,9 @@
 namespace edgevo::app {
 namespace {
 
+// As of grep: a script that goes on with the mask must know that there is none.
+constexpr int kNothingFound = 1;
+
 struct MaskCommand {
   std::string run, out;
   bool force = false;
@@ -22,8 +25,9 @@ int copy_mask(const MaskCommand& options) {
   if (!fs::exists(fs::path(options.run) / "summary.yaml", error))
     throw InputError(options.run, "is not the folder of a finished run", "give the -o of `edgevo run`");
   if (!fs::exists(found, error)) {
-    std::printf("%s: nothing is fixed to the camera; no mask\n", options.run.c_str());
-    return 0;
+    std::fprintf(stderr, "%s: nothing fixed to the camera was found; no mask is written\n",
+                 options.run.c_str());
+    return kNothingFound;
   }
   if (!options.force && fs::exists(options.out, error))
     throw InputError(options.out, "exists already", "give another name, or --force to replace it");
@@ -43,6 +47,9 @@ void add_mask_command(CLI::App& app, Action* action) {
   command->add_option("RUN", options->run, "output folder of a run")->required()->check(path_given());
   command->add_option("-o,--out", options->out, "PNG to write")->required()->check(path_given());
   add_force(*command, &options->force);
+  command->footer(
+      "Exit codes: 0 written; 1 the run found nothing that is fixed to the camera, nothing is written; 2 bad "
+      "usage or input.");
   command->callback([=] { *action = [=] { return copy_mask(*options); }; });
 }
 

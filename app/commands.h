@@ -2,9 +2,9 @@
 #pragma once
 // The sub-commands of `edgevo`, in the program edgevo-commands (`eval` also in front_main.cpp). Each function
 // adds a sub-command with its options to the parser; if that sub-command is requested, parsing stores its
-// work in `*action`. The action returns the exit code (0 done, 3 tracking failed for most of the sequence or
-// a quarter of the poses is doubtful) and throws edgevo::InputError for bad input (main prints it as one
-// line, exit code 2).
+// work in `*action`. The action returns the exit code (0 done, 1 nothing found, 3 tracking failed for most of
+// the sequence or a quarter of the poses is doubtful) and throws edgevo::InputError for bad input (main
+// prints it as one line, exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>

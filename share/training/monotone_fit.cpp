@@ -10,15 +10,20 @@ namespace {
 
 double sigmoid(double z) { return 1 / (1 + std::exp(-z)); }
 
+// Derivative of the log loss by the log odds, of which p is the probability.
+double slope_of(bool is_wrong, double p, double unseen) {
+  return is_wrong ? -(1 - unseen) * p * (1 - p) / (unseen + (1 - unseen) * p) : p;
+}
+
 // Newton's step in one coordinate, whose value in each sample is `value(i)`.
 template <class Value>
-double newton_step(const std::vector<EvaluatedMotion>& samples, const std::vector<double>& z, Value value,
-                   double slope, double curvature) {
+double newton_step(const std::vector<EvaluatedMotion>& samples, const std::vector<double>& z, double unseen,
+                   Value value, double slope, double curvature) {
   for (size_t i = 0; i < samples.size(); ++i) {
     const double x = value(i);
     if (x == 0) continue;
     const double p = sigmoid(z[i]), w = samples[i].weight;
-    slope += w * (p - (samples[i].is_wrong ? 1 : 0)) * x;
+    slope += w * slope_of(samples[i].is_wrong, p, unseen) * x;
     curvature += w * std::max(p * (1 - p), 1e-4) * x * x;
   }
   return curvature > 0 ? -slope / curvature : 0;
@@ -60,19 +65,19 @@ double LogisticSum::sum(const Doubts& doubts) const {
   return std::inner_product(doubts.begin(), doubts.end(), weights.begin(), 0.0);
 }
 
-LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge) {
+LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge, double unseen) {
   LogisticSum fit;
   std::vector<double> z(samples.size(), 0);
   for (int round = 0; round < 300; ++round) {
     double largest = 0;
     const double shift = std::clamp(newton_step(
-                                        samples, z, [](size_t) { return 1.0; }, 0, 0),
+                                        samples, z, unseen, [](size_t) { return 1.0; }, 0, 0),
                                     -1.0, 1.0);
     fit.bias += shift, largest = std::abs(shift);
     for (double& value : z) value += shift;
     for (size_t k = 0; k < kDoubts; ++k) {
       const auto doubt = [&](size_t i) { return samples[i].doubts[k]; };
-      const double step = newton_step(samples, z, doubt, ridge * fit.weights[k], ridge);
+      const double step = newton_step(samples, z, unseen, doubt, ridge * fit.weights[k], ridge);
       const double weight = std::max(0.0, fit.weights[k] + std::clamp(step, -1.0, 1.0));
       const double change = weight - fit.weights[k];
       fit.weights[k] = weight, largest = std::max(largest, std::abs(change));

@@ -27,8 +27,10 @@ struct LogisticSum {
 };
 
 /// Minimises the weighted log loss plus `ridge` times half the square of the weights, by coordinate descent;
-/// convex, so that the result does not depend on where it begins. Deterministic.
-LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge);
+/// convex for `unseen` 0, so that the result does not depend on where it begins. Deterministic. `unseen`:
+/// share of wrong motions, 0 to 1, that no doubt shows; the others are not weighted as if they had to explain
+/// them.
+LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge, double unseen = 0);
 
 using Knot = TrustKnot;
 /// Isotonic regression of "right" on the sum: the samples in bins of equal weight (`bins` of them, and as

@@ -43,6 +43,7 @@ FrameEvidence evidence_of(const CsvTable& row) {
   e.inlier_share = row.number("inlier_share"), e.residual_px = row.number("residual_px");
   e.pose_sigmas.fill(row.number("pose_sigma"));
   e.step_sigmas = row.number("step_sigmas");
+  e.stands = row.number("stands", true) == 1;
   e.known_points = count_of(row, "known_points");
   e.lacking_share = row.number("lacking_share"), e.view_share = row.number("view_share");
   e.focal_error = row.number("focal_error", true),

@@ -15,12 +15,12 @@ struct Description {
 };
 constexpr std::array<Description, kDoubts> kDescriptions{{
     {"kMotion", "motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3"},
-    {"kCornerScale", "corner_scale", "log ratio / log 1.25"},
+    {"kFocalLength", "focal_length", "degrees / 3"},
     {"kCornerAgreement", "corner_agreement", "2 x share of the corners"},
     {"kNoWitness", "no_witness", "1: the motion cannot be checked"},
     {"kTurn", "turn", "median depths / 0.02 and share of length / 0.25"},
     {"kStep", "step", "log ratio to the usual"},
-    {"kWeakDirection", "weak_direction", "log10 of sigma / 0.001 (median depths; rad)"},
+    {"kResidual", "residual", "log of pixels / 0.6"},
     {"kAdjustment", "adjustment", "log of squared sigmas"},
     {"kStarvation", "starvation", "shares"},
     {"kImage", "image", "blur / 0.1 + saturated share / 0.3, above the usual"},

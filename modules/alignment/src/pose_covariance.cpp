@@ -53,6 +53,14 @@ Matrix6d pose_covariance(const std::vector<PoseEquation>& equations) {
   return kReferenceShare * root * axes.eigenvalues().cwiseMax(variance).asDiagonal() * root.transpose();
 }
 
+Matrix6d unit_covariance(const SE3& T_cur_ref) {
+  constexpr double kDrift = 0.01;
+  const Eigen::Vector3d error = kDrift * T_cur_ref.translation();
+  Matrix6d covariance = Matrix6d::Zero();
+  covariance.topLeftCorner<3, 3>() = error * error.transpose();
+  return covariance;
+}
+
 double normalised_error_square(const SE3& T_estimate, const SE3& T_true, const Matrix6d& covariance) {
   const Vector6d xi = (T_estimate * T_true.inverse()).log();
   Vector6d u = Vector6d::Zero();

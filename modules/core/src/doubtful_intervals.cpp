@@ -9,6 +9,9 @@ namespace edgevo {
 namespace {
 
 constexpr int kJoinedFrames = 10;  // right frames between two intervals that are one
+// Units are compared within so many frames of the doubt. Else it left no frame: those that were lost have got
+// poses in the new map.
+constexpr int kComparedWithin = 50;
 
 // The note without its numbers.
 std::string kind_of(const std::string& note) {
@@ -41,6 +44,12 @@ class Reasons {
   std::map<std::string, Entry> kinds_;
 };
 
+void compare(const UnitComparison& unit, int position, DoubtfulInterval* interval) {
+  interval->compared_at = position;
+  interval->is_unit_unlinked = !unit.is_linked();
+  interval->is_unit_by_ground = unit.by_ground;
+}
+
 }  // namespace
 
 bool is_doubtful(const FrameRecord& frame) {
@@ -57,12 +66,19 @@ std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
   };
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const FrameRecord& frame = run.frames[i];
-    if (frame.evidence.unit && !intervals.empty())
-      intervals.back().is_unit_unlinked = !frame.evidence.unit->is_linked();
+    if (frame.evidence.unit) {
+      const bool belongs = last >= 0 && int(i) - last <= kComparedWithin;
+      if (!belongs && !frame.evidence.unit->is_linked()) {
+        close();
+        intervals.push_back({frame.index, frame.index, 0, ""});
+        last = int(i);
+      }
+      if (!intervals.empty()) compare(*frame.evidence.unit, int(i), &intervals.back());
+    }
     if (!is_doubtful(frame)) continue;
     if (last < 0 || int(i) - last > kJoinedFrames + 1) {
       close();
-      intervals.push_back({frame.index, frame.index, 0, "", false});
+      intervals.push_back({frame.index, frame.index, 0, ""});
     }
     intervals.back().last_frame = frame.index;
     ++intervals.back().frames;
@@ -101,9 +117,11 @@ std::vector<size_t> most_doubtful_frames(const Run& run, size_t most) {
 }
 
 std::string why(const DoubtfulInterval& interval) {
-  if (!interval.is_unit_unlinked) return interval.reason;
+  const bool is_linked_by_view = !interval.is_unit_unlinked && !interval.is_unit_by_ground;
+  if (is_linked_by_view) return interval.reason;
   return interval.reason + (interval.reason.empty() ? "" : "; ") +
-         "nothing links the unit of length after it to that before";
+         (interval.is_unit_by_ground ? "only the height over the ground" : "nothing") +
+         " links the unit of length after it to that before";
 }
 
 std::string to_string(const DoubtfulInterval& interval) {

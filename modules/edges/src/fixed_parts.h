@@ -4,18 +4,20 @@
 // of the scene move. Taken for edges of the scene, they contradict every motion of the camera; and because
 // they never leave the view, in time the map would contain more of them than of the scene, and follow them.
 //
-// Each edge pixel is a sequential test of two hypotheses. An edge of a fixed part is found again at its
-// place with a probability of about 0.7 (outlines vanish where the background has their brightness). An edge
-// of the scene is found there, or another one in its place, with the probability with which that happens now
-// to the edges of the cells that move: little after a displacement of a pixel or more, nearly 1 while the
+// Each edge pixel is a sequential test of two hypotheses. An edge of a fixed part shows in the gradient at
+// its place with a probability of about 0.7 (outlines vanish where the background has their brightness). An
+// edge of the scene shows there, or another one in its place, with the probability with which that happens
+// now to the edges of the cells that move: little after a displacement of a pixel or more, nearly 1 while the
 // camera stands, which is then no evidence for either. Images are compared only once most cells of the view
 // have moved since the one before; a bus before a standing camera moves few.
 #include <memory>
 #include <vector>
 
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/edges/gradient.h"
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
+#include "fixed_area.h"
 
 namespace edgevo {
 
@@ -32,9 +34,9 @@ struct ViewMotion {
 /// Fixed parts in the images of one camera, in the coordinates of one level of their pyramids.
 class FixedParts {
  public:
-  /// Adds the edges of the next image, none of them masked; all images have the same size. Returns true if
-  /// the area has changed. Cost: 0.3 ms for 8000 edge pixels.
-  bool add(const ImageEdges& edges);
+  /// Adds the next image: its gradient and its edges, none of them masked; all images have the same size.
+  /// Returns true if the area has changed. Cost: 0.3 ms for 8000 edge pixels.
+  bool add(const ImageEdges& edges, const Gradient& gradient);
   /// Area of the fixed parts: 255 on them and a few pixels around; null if there is none.
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.
@@ -45,36 +47,20 @@ class FixedParts {
   int compared() const { return compared_; }
 
  private:
-  /// An edge pixel that may be fixed.
-  struct Candidate {
-    float x, y, nx, ny, strength;
-    float score = 0;  // logarithm of the likelihood ratio: fixed over scene
-    bool seen = true;
-    int kind = 0;
-  };
-  void index(const ImageEdges& edges);
-  bool is_seen(const Candidate& c, const ImageEdges& edges) const;
-  void look(const ImageEdges& edges);
+  void prepare(int width, int height);
+  void look(const Gradient& gradient);
   void compare_cells();
-  int kind(const Candidate& c) const;
+  int kind(const FixedCandidate& c) const;
   std::vector<double> scene_shares() const;
   void weigh(const std::vector<double>& shares);
   void add_candidates(const ImageEdges& edges);
   bool update_area(const ImageEdges& edges, bool is_early);
-  Plane<uint8_t> grow(double least_score, const ImageEdges& edges) const;
-  Plane<uint8_t> filled(const Plane<uint8_t>& area, const Plane<uint8_t>& near,
-                        const ImageEdges& edges) const;
-  void add_calm_blocks(Plane<uint8_t>* area) const;
-  int blocks_across() const;
-  int block(int x, int y) const;
   int cell(float x, float y) const;
 
   int width_ = 0, height_ = 0, compared_ = 0;
-  std::vector<Candidate> candidates_;
-  Plane<int> edge_at_;                  // index of the present image's edge at a pixel, -1: none
-  std::vector<int> indexed_;            // pixels with such an index
-  Plane<uint8_t> occupied_;             // 1: a candidate is there
-  std::vector<float> left_;             // by block: edges that left their place
+  std::vector<FixedCandidate> candidates_;
+  Plane<uint8_t> occupied_;  // 1: a candidate is there
+  LeavingEdges leaving_;
   std::vector<uint8_t> moves_, still_;  // by cell
   std::shared_ptr<const Plane<uint8_t>> area_;
   bool is_undecided_ = false;

@@ -160,17 +160,17 @@ struct PyramidBuilder::Impl {
     if (!lens->missing.empty()) clear_masked(lens->missing, l, &mask);
     if (!own.empty()) {
       // Also behind the mask: it is taken back if its edges move after all.
-      if (watch) look_for_fixed_parts(l, extract_edges(mask, gradient, params.min_chain));
+      if (watch) look_for_fixed_parts(l, extract_edges(mask, gradient, params.min_chain), gradient);
       clear_masked(own, l, &mask);
     }
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    if (watch && own.empty()) look_for_fixed_parts(l, level->edges);
+    if (watch && own.empty()) look_for_fixed_parts(l, level->edges, gradient);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
-  void look_for_fixed_parts(int l, const ImageEdges& edges) {
-    if (!fixed.add(edges)) return;
+  void look_for_fixed_parts(int l, const ImageEdges& edges, const Gradient& gradient) {
+    if (!fixed.add(edges, gradient)) return;
     if (fixed.area())
       own.set_found(raw_area(*fixed.area(), l, rectification, correction));
     else
@@ -302,7 +302,8 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
       find_edges(l, border_here, pyramid->own_area, likely_here, watch && l == params.edge_levels - 1,
                  &level);
   }
-  pyramid->may_show_own_part = watch && fixed.is_undecided();
+  // What was found in this image holds from the next one on.
+  pyramid->may_show_own_part = watch && (fixed.is_undecided() || own.mask() != pyramid->own_mask);
   if (watch) pyramid->still = fixed.still_cells();
   return pyramid;
 }

@@ -25,6 +25,9 @@ double median_depth(const Run& run, const PointFilter& filter) {
 // driven.
 constexpr double kCoarsestMetric = 0.2;
 
+// Length that a pixel spans at `depth`: smaller voxels show nothing that the image does.
+double pixel_footprint(const Pinhole& camera, double depth) { return depth / camera.fx; }
+
 // Two significant digits, so that "auto" gives a length that is easy to read and to type.
 double round_to_two_digits(double x) {
   const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
@@ -44,7 +47,8 @@ MapLengths map_lengths(const Run& run, const OccupancyParams& params) {
   lengths.resolution = length_or_share(params.given_resolution(), params.resolution_share,
                                        lengths.median_depth, kResolutionWithoutPoints);
   if (run.is_metric() && params.given_resolution() <= 0)
-    lengths.resolution = std::min(lengths.resolution, kCoarsestMetric);
+    lengths.resolution = std::min(
+        lengths.resolution, std::max(kCoarsestMetric, pixel_footprint(run.pinhole, lengths.median_depth)));
   lengths.max_range =
       length_or_share(params.given_max_range(), params.max_range_share, lengths.median_depth, 0);
   return lengths;

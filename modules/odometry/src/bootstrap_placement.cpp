@@ -51,7 +51,7 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTra
       const TrackingState state = frame_status(record->evidence, params.status).state;
       if (state != TrackingState::kTracking) record->state = TrackingState::kDegraded;
       if (state != TrackingState::kLost && !is_keyframe(view, bootstrap))
-        T_cam_ref = r.T_cur_ref, record->covariance = reference.error_factor * r.covariance;
+        T_cam_ref = r.T_cur_ref, record->covariance = reported_covariance(r, reference);
     }
     record->note.clear();
     frames->place(std::move(*record), segment, reference, T_cam_ref);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "edgevo/alignment/pose_covariance.h"
 #include "edgevo/edges/image_quality.h"
 
 namespace edgevo {
@@ -47,6 +48,10 @@ void add_pose(const TrackResult& pose, const Reference& reference, FrameEvidence
   if (!evidence->diverged) std::copy_n(pose.sigmas.data(), 6, evidence->pose_sigmas.begin());
   evidence->step_sigmas = std::numeric_limits<double>::quiet_NaN();
   add_reference(reference, evidence);
+}
+
+Matrix6d reported_covariance(const TrackResult& pose, const Reference& reference) {
+  return reference.error_factor * pose.covariance + unit_covariance(pose.T_cur_ref);
 }
 
 }  // namespace edgevo

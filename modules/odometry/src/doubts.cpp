@@ -11,6 +11,9 @@ namespace {
 // What makes a motion wrong (evaluation/frame_judge.h).
 constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;
 
+// Most doubt by what right motions do, too: a camera that speeds up, a keyframe whose view is new.
+constexpr double kMostUnproven = 1;
+
 // 0 for a value that is unknown or negative.
 double limited(double value) { return value > 0 ? std::min(value, kMostDoubt) : 0.0; }
 
@@ -23,6 +26,15 @@ double beyond(double difference, double sigma) {
 bool knows_lengths(const CornerEvidence& c) {
   constexpr double kMostSigma = 0.3;  // of the logarithm of the scale
   return c.change_10_sigma <= kMostSigma;
+}
+
+double doubt_without_corners(const std::optional<CornerEvidence>& c) {
+  constexpr int kFewCorners = 15;
+  constexpr double kTells = 0.1, kDoesNotTell = 0.25, kShort = 0.02;
+  if (!c || c->tracks < kFewCorners) return 1;
+  if (c->motion_error_depths < kShort && std::isfinite(c->rotation_deg)) return 0;
+  if (!std::isfinite(c->motion_sigma) || !knows_lengths(*c)) return 1;
+  return std::clamp((c->motion_sigma - kTells) / (kDoesNotTell - kTells), 0.0, 1.0);
 }
 
 }  // namespace
@@ -42,10 +54,12 @@ double doubt_of_corner_motion(const CornerEvidence& c) {
 }
 
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
-  constexpr double kSigmas = 1, kShownShare = 0.4, kLeastError = -0.5;
+  constexpr double kSigmas = 1, kSureSigmas = 2, kMostUnsure = 0.9;
+  constexpr double kShownShare = 0.4, kLeastError = -0.5;
   if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
   const double error = std::max(kLeastError, focal_error / kShownShare);
-  return limited(std::abs(error) / (1 + error) * turn_deg / kWrongDeg);
+  const double doubt = limited(std::abs(error) / (1 + error) * turn_deg / kWrongDeg);
+  return std::abs(focal_error) > kSureSigmas * sigma ? doubt : std::min(doubt, kMostUnsure);
 }
 
 double doubt_of_corner_scale(const CornerEvidence& c) {
@@ -56,13 +70,10 @@ double doubt_of_corner_scale(const CornerEvidence& c) {
 
 double doubt_of_corner_agreement(const CornerEvidence& c) { return limited(2 * (1 - c.agreeing_share)); }
 
-double doubt_without_witness(const std::optional<CornerEvidence>& c) {
-  constexpr int kFewCorners = 15;
-  constexpr double kTells = 0.1, kDoesNotTell = 0.25, kShort = 0.02;
-  if (!c || c->tracks < kFewCorners) return 1;
-  if (c->motion_error_depths < kShort && std::isfinite(c->rotation_deg)) return 0;
-  if (!std::isfinite(c->motion_sigma) || !knows_lengths(*c)) return 1;
-  return std::clamp((c->motion_sigma - kTells) / (kDoesNotTell - kTells), 0.0, 1.0);
+double doubt_without_witness(const std::optional<CornerEvidence>& c, double pose_sigma) {
+  constexpr double kNoInformation = 0.1;
+  const double by_corners = doubt_without_corners(c);
+  return by_corners >= 1 && !(pose_sigma < kNoInformation) ? kMostDoubt : by_corners;
 }
 
 double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad) {
@@ -78,16 +89,15 @@ double turn_error(const CornerEvidence& c, double turn_rad) {
 double doubt_of_step(double recent, double usual, double median_depth) {
   constexpr double kSmall = 0.002;  // median depths a frame: a fifth of it is 2 % of the depth in ten frames
   const double small = std::isfinite(median_depth) ? kSmall * median_depth : 0.1 * usual;
-  return limited(std::abs(std::log((recent + small) / (usual + small))));
+  return std::min(kMostUnproven, limited(std::abs(std::log((recent + small) / (usual + small)))));
 }
 
-double doubt_of_weak_direction(double pose_sigma) {
-  constexpr double kUsual = 1e-3;
-  if (!std::isfinite(pose_sigma)) return kMostDoubt;
-  return limited(std::log10(pose_sigma / kUsual));
+double doubt_of_residual(double residual_px) {
+  constexpr double kUsualPx = 0.6;
+  return limited(std::log(residual_px / kUsualPx));
 }
 
-double doubt_of_adjustment(double moved) { return limited(std::log(moved)); }
+double doubt_of_adjustment(double moved) { return std::min(kMostUnproven, limited(std::log(moved))); }
 
 double doubt_of_starvation(const FrameEvidence& e) {
   constexpr double kManyInliers = 0.7, kFewInliers = 0.4, kManyPoints = 300, kWellInView = 0.3;

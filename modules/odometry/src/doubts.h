@@ -19,8 +19,9 @@ inline constexpr double kMostDoubt = 3;
 double doubt_of_corner_motion(const CornerEvidence& c);
 /// Error of the turn over ten frames, `turn_deg`, that a wrong focal length makes: 1 for 3 degrees, since a
 /// turn is the way of the image over the focal length. `focal_error`: true focal length over the camera's,
-/// less 1, by the matches; 0 within one of its standard deviations. Matches are biased towards what the wrong
-/// camera predicts: of 20 % they show two fifths in the median of seven runs, which is made up for here.
+/// less 1, by the matches; 0 within one of its standard deviations, less than 1 within two, which estimates
+/// of right cameras reach. Matches are biased towards what the wrong camera predicts: of 20 % they show two
+/// fifths in the median of seven runs, which is made up for here.
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg);
 /// Change of the map's unit over the last ten, or the last fifty frames, beyond one standard deviation: 1 for
 /// a factor of 1.25 either way.
@@ -28,8 +29,9 @@ double doubt_of_corner_scale(const CornerEvidence& c);
 /// Share of the corners that break the epipolar constraint: 1 for a half.
 double doubt_of_corner_agreement(const CornerEvidence& c);
 /// 1 without corners, or if the standard deviation of their motion is a quarter of it or more; less for a
-/// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no witness of its length.
-double doubt_without_witness(const std::optional<CornerEvidence>& c);
+/// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no witness of its length. 3
+/// if the largest standard deviation of the pose is a tenth (of the depth, of a radian) as well, or unknown.
+double doubt_without_witness(const std::optional<CornerEvidence>& c, double pose_sigma);
 /// A translation that the turn over ten frames hides: rows read out one after another, a residual distortion
 /// and wrong depths all make a turn look like a translation in proportion to it, for edges and for corners
 /// alike. `error_per_rad`: what the two differ by, in median depths per radian of turn, in this run
@@ -40,12 +42,12 @@ double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad
 /// NaN: unknown, or hardly a turn.
 double turn_error(const CornerEvidence& c, double turn_rad);
 /// Natural logarithm of the recent mean step over the usual one, either way. Steps that are small against the
-/// median depth do not count.
+/// median depth do not count. At most 1: a camera that speeds up makes such steps, too.
 double doubt_of_step(double recent, double usual, double median_depth);
-/// Decimal logarithm of the largest standard deviation of the pose over 0.001 (median depths, radians); 3 for
-/// an unknown one.
-double doubt_of_weak_direction(double pose_sigma);
-/// Natural logarithm of the squared move of keyframes over the expected one.
+/// Natural logarithm of the RMS distance between edges and the points that they match, pixels, over the 0.6
+/// of right runs.
+double doubt_of_residual(double residual_px);
+/// Natural logarithm of the squared move of keyframes over the expected one, at most 1.
 double doubt_of_adjustment(double moved);
 /// Lack of support, summed up: inlier share (0 at 0.7, 1 at 0.4), points of known depth (0 at 300, 1 at 40),
 /// and share of the map in view (0 at 0.3, 1 at 0).

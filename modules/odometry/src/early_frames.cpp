@@ -43,7 +43,7 @@ void EarlyFrames::place(const BootstrapResult& views, const Reference& reference
     add_pose(found, reference, &record->evidence);
     record->state = frame_status(record->evidence, params.status).state;
     if (record->state == TrackingState::kLost) return;
-    record->covariance = reference.error_factor * found.covariance;
+    record->covariance = reported_covariance(found, reference);
     record->note.clear();
     later = std::exchange(last, found.T_cur_ref);
     frames->place(std::move(*record), segment, reference, found.T_cur_ref);

@@ -58,6 +58,8 @@ class FrontEnd {
 
   /// Reference that frames are tracked against; null without a map.
   const std::shared_ptr<const Reference>& reference() const { return reference_; }
+  /// What moves by itself in the newest frame.
+  MovingAreas moving_areas() const { return bodies_.areas(); }
   /// Adopts a new reference from mapping, for whose correction the builder has been set: expresses the last
   /// pose against it.
   void change_reference(std::shared_ptr<const Reference> newest);

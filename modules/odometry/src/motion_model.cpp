@@ -47,6 +47,11 @@ double MotionModel::largest_step(double median_depth) const {
   return kTimes * std::max({usual, steps_.mean(1), kSmallShare * median_depth});
 }
 
+Eigen::Vector3d MotionModel::usual_step() const {
+  const double usual = steps_.median();
+  return std::isfinite(usual) ? Eigen::Vector3d(usual * direction_) : Eigen::Vector3d::Zero();
+}
+
 void MotionModel::begin_frame(Timestamp time) {
   newest_ = clock_.tick(time);
   const bool known = newest_.seconds > 0 && (frames_since_ == 0 || seconds_since_ > 0);
@@ -59,7 +64,10 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   const bool is_next = frames_since_ <= 1;
   // A camera that stands at a light goes on as fast as it came.
   constexpr double kStands = 0.1;
-  if (const double step = step_to(T_cur_ref); !(step < kStands * steps_.median())) steps_.add(step);
+  if (const double step = step_to(T_cur_ref); !(step < kStands * steps_.median())) {
+    steps_.add(step);
+    direction_ = motion.translation().normalized();
+  }
   if (is_next)
     median_motion_.follow(motion.log().head<3>(), held);
   else
@@ -83,6 +91,7 @@ void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   median_motion_ = MedianMotion();  // the unit of length is a new one
   steps_.clear();
+  direction_.setZero();
   velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())
                                              : SE3::exp(motion->log() / double(newest_.frames));
   velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;

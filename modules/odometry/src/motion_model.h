@@ -26,6 +26,9 @@ class MotionModel {
   /// median of the last 50 in which the camera did not stand) or the one before, whichever is larger, where
   /// the scene lies `median_depth` away. Infinite until ten steps are known.
   double largest_step(double median_depth) const;
+  /// Translation a frame of points in the camera's axes at the usual speed (that median), in the direction of
+  /// the last step in which the camera did not stand; 0 until ten steps are known.
+  Eigen::Vector3d usual_step() const;
   /// Translation a frame from the last frame with a pose to T_cur_ref.
   double step_to(const SE3& T_cur_ref) const;
   /// Frame intervals from the last frame with a pose to the current one: 1 if none was lost or skipped.
@@ -58,8 +61,9 @@ class MotionModel {
  private:
   SE3 T_last_ref_, velocity_;
   MedianMotion median_motion_;
-  double velocity_s_ = 0;   // time of the motion `velocity_`; 0: not known
-  RecentValues steps_{50};  // translations a frame, unit of the map
+  Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();  // of the last step, the camera not standing
+  double velocity_s_ = 0;                                // time of the motion `velocity_`; 0: not known
+  RecentValues steps_{50};                               // translations a frame, unit of the map
   FrameClock clock_;
   FrameClock::Step newest_;   // to the current frame
   int frames_since_ = 0;      // from the last frame with a pose to the current one

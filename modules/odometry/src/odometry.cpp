@@ -171,12 +171,15 @@ void Odometry::Impl::look_and_ask(const ArrivedFrame& now, const SE3& T_cur_ref)
 void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last) {
   if (!corners) return;
   const StageTimer timer(Stage::kWitness, &now.record->stage_ms);
-  now.record->evidence.corners = corners->add(*now.pyramid, T_cur_last);
+  const MovingAreas moving = front_end.moving_areas();
+  FrameEvidence& evidence = now.record->evidence;
+  evidence.corners = corners->add(
+      *now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
 }
 
 void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late) {
   const Reference& reference = *front_end.reference();
-  record->covariance = reference.error_factor * tracked.covariance;
+  record->covariance = reported_covariance(tracked, reference);
   if (!is_late) frames.place(state.segment(), reference, tracked.T_cur_ref);
   newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
 }

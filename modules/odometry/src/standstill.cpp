@@ -65,6 +65,18 @@ std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& fram
   return still;
 }
 
+bool Standstill::stands(const FramePyramid& frame, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                        const Eigen::Vector3d& usual_step) const {
+  if (frame.still.empty() || !T_standing_ref_) return false;
+  const std::vector<size_t> inside = points_in(frame, cloud, *T_standing_ref_);
+  if (inside.size() < kFewPoints) return false;
+  const Pinhole& camera = frame.finest().pinhole;
+  const std::vector<CloudPoint> points = part_of(cloud, inside).points;
+  const SE3 T_usual(Eigen::Quaterniond::Identity(), usual_step);
+  return !moves(camera, points, *T_standing_ref_, T_cur_ref) &&
+         moves(camera, points, *T_standing_ref_, T_usual * *T_standing_ref_);
+}
+
 void Standstill::follow(const FramePyramid& frame, const SE3& T_cur_ref) {
   if (frame.still.empty() || !T_standing_ref_) T_standing_ref_ = T_cur_ref;
 }

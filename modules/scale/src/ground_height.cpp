@@ -205,6 +205,16 @@ std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeR
   return samples;
 }
 
+std::vector<HeightSample> ground_heights(const Run& run, const Path& path, const ScaleParams& params) {
+  const Eigen::Vector3d down = down_in_camera(run.T_vehicle_cam);
+  std::vector<HeightSample> heights;
+  for (const KeyframeRecord& k : run.keyframes) {
+    const std::vector<HeightSample> more = ground_heights(run.pinhole, k, down, path, true, params);
+    heights.insert(heights.end(), more.begin(), more.end());
+  }
+  return heights;
+}
+
 std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height,
                                         const ScaleParams& params) {
   if (int(samples.size()) < kMinGroundPoints) return std::nullopt;

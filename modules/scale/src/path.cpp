@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/path.h"
 
+#include <map>
+#include <utility>
+
+#include "edgevo/core/doubtful_intervals.h"
+
 namespace edgevo {
 
 void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path) {
@@ -11,14 +16,20 @@ void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path)
   path->push_back({frame_index, time, T_world_cam, distance});
 }
 
-std::vector<Path> paths_of(const Run& run) {
-  std::vector<Path> paths;
+std::vector<UnitPath> paths_by_unit(const Run& run) {
+  std::vector<int> begins;  // of further units, frames
+  for (const DoubtfulInterval& interval : doubtful_intervals(run))
+    if (interval.is_unit_unlinked) begins.push_back(interval.first_frame);
+  std::map<std::pair<int, int>, Path> paths;  // by segment and unit
+  size_t unit = 0;
   for (const FrameRecord& frame : run.frames) {
+    while (unit < begins.size() && frame.index >= begins[unit]) ++unit;
     if (!frame.T_world_cam || frame.segment < 0) continue;
-    if (size_t(frame.segment) >= paths.size()) paths.resize(size_t(frame.segment) + 1);
-    extend(frame.index, frame.time, *frame.T_world_cam, &paths[size_t(frame.segment)]);
+    extend(frame.index, frame.time, *frame.T_world_cam, &paths[{frame.segment, int(unit)}]);
   }
-  return paths;
+  std::vector<UnitPath> by_unit;
+  for (auto& [key, path] : paths) by_unit.push_back({key.second, std::move(path)});
+  return by_unit;
 }
 
 }  // namespace edgevo

@@ -8,6 +8,7 @@
 #include "edgevo/core/time_order.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/scale/given_scale.h"
+#include "edgevo/scale/ground_link.h"
 #include "edgevo/scale/run_scale.h"
 #include "edgevo/scale/track_scale.h"
 
@@ -98,6 +99,7 @@ void RunScaling::add_waiting() {
 }
 
 void RunScaling::convert(Run* run) const {
+  if (!requested_.is_estimated()) link_units_by_ground(params_, run);
   if (requested_.kind == ScaleSource::Kind::kFactor) scale_run(requested_.value, requested_.text, run);
   if (!requested_.is_estimated()) return;
   const RunScale scale = estimate_run_scale(*run, requested_, track_, params_);

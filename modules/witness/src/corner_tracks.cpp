@@ -27,6 +27,7 @@ constexpr float kBorderPx = 4;
 // Standard deviation of the gray values that images are brought to, and the least that is taken for contrast.
 constexpr double kUsualContrast = 60, kLeastContrast = 4;
 constexpr double kQuality = 0.01;
+constexpr float kMovedPx = 0.5;  // corners are followed to a tenth
 // Cells of the image per wanted corner: many show nothing.
 constexpr double kCellsPerCorner = 2;
 
@@ -70,12 +71,15 @@ void CornerTracks::follow(const FramePyramid& frame, const std::vector<ExpectedC
   if (had > 0) wanted_ = std::clamp(wanted_ * kFew / std::max(1, left), kWanted, kMostWanted);
   if (left < kFew + kFew / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
     refill(coarse, has_coarse ? 2 : 1);
-  const float to_finest = float(1 << level_);
-  view_.tracks.erase(std::remove_if(view_.tracks.begin(), view_.tracks.end(),
-                                    [&](const CornerTrack& c) {
-                                      return frame.is_own(c.px.x() * to_finest, c.px.y() * to_finest);
-                                    }),
-                     view_.tracks.end());
+  drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
+}
+
+void CornerTracks::drop_where(const std::function<bool(const Eigen::Vector2d& px)>& is_foreign) {
+  const double to_finest = 1 << level_;
+  view_.tracks.erase(
+      std::remove_if(view_.tracks.begin(), view_.tracks.end(),
+                     [&](const CornerTrack& c) { return is_foreign(to_finest * c.px.cast<double>()); }),
+      view_.tracks.end());
 }
 
 void CornerTracks::move(const std::vector<cv::Mat>& now, const std::vector<ExpectedCorner>& expected) {
@@ -154,6 +158,12 @@ void CornerTracks::drop(const std::vector<uint32_t>& ids) {
                                     [&](const CornerTrack& t) {
                                       return std::find(ids.begin(), ids.end(), t.id) != ids.end();
                                     }),
+                     view_.tracks.end());
+}
+
+void CornerTracks::drop_moving() {
+  view_.tracks.erase(std::remove_if(view_.tracks.begin(), view_.tracks.end(),
+                                    [](const CornerTrack& t) { return t.motion.norm() > kMovedPx; }),
                      view_.tracks.end());
 }
 

@@ -3,6 +3,7 @@
 // Corners followed from image to image (Lucas-Kanade of OpenCV). They know nothing of edges, poses or depths.
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <vector>
 
@@ -42,6 +43,10 @@ class CornerTracks {
   void follow(const FramePyramid& frame, const std::vector<ExpectedCorner>& expected);
   /// Drops a corner: it is on something that moves, or slid along an edge.
   void drop(const std::vector<uint32_t>& ids);
+  /// Drops the corners that have moved in the newest image.
+  void drop_moving();
+  /// Drops the corners at such pixels of the finest level.
+  void drop_where(const std::function<bool(const Eigen::Vector2d& px)>& is_foreign);
 
   /// The corners of the newest image.
   const CornerView& view() const { return view_; }

@@ -16,11 +16,14 @@ CornerWitness::~CornerWitness() = default;
 CornerWitness::CornerWitness(CornerWitness&&) noexcept = default;
 
 std::optional<CornerEvidence> CornerWitness::add(const FramePyramid& frame,
-                                                 const std::optional<SE3>& T_cur_last) {
+                                                 const std::optional<SE3>& T_cur_last,
+                                                 const MovesByItself& moves, bool stands) {
   CornerTracks& tracks = impl_->tracks;
   CornerEvaluation& evaluation = impl_->evaluation;
   evaluation.change_distortion(frame.correction.k1);
   tracks.follow(frame, evaluation.expect(T_cur_last));
+  if (stands) tracks.drop_moving();
+  if (moves) tracks.drop_where(moves);
   const std::optional<CornerEvidence> evidence = evaluation.add(tracks.view(), T_cur_last);
   tracks.drop(evaluation.take_rejected());
   return evidence;

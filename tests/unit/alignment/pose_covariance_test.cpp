@@ -125,6 +125,15 @@ TEST(PoseCovariance, NormalisedErrorHasFiveDegreesOfFreedom) {
   EXPECT_EQ(normalised_error_square(truth, truth, covariance), 0);
 }
 
+TEST(PoseCovariance, OfTheUnitIsOnePerCentAlongTheTranslation) {
+  const SE3 T(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 3, 4));
+  const Matrix6d covariance = unit_covariance(T);
+  Vector6d along = Vector6d::Zero();
+  along.head<3>() = T.translation() / 5;
+  EXPECT_NEAR(along.dot(covariance * along), 0.05 * 0.05, 1e-12);
+  EXPECT_NEAR(covariance.trace(), 0.05 * 0.05, 1e-12) << "nothing across it, nothing of the rotation";
+}
+
 TEST(PoseCovariance, WithoutEquationsNothingIsKnown) {
   const Matrix6d covariance = pose_covariance({});
   EXPECT_TRUE(covariance.allFinite());

@@ -97,6 +97,15 @@ TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
                           "frame 180: c"));
 }
 
+TEST(DoubtfulIntervals, ANewMapThatNothingLinksIsOneEvenIfEachFrameHasGotAPose) {
+  edgevo::Run run = run_of(120);
+  doubt(&run, 10, 12, "a");
+  run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
+  run.frames[100].evidence.unit = UnitComparison{};
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a",
+                                      "frame 200: nothing links the unit of length after it to that before"));
+}
+
 TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
   edgevo::Run run = run_of(30);
   run.frames[5].state = TrackingState::kLost;

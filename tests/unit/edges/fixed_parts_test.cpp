@@ -91,6 +91,81 @@ TEST(FixedParts, ThePartIsMaskedAndTheSceneIsNot) {
   for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(pyramid->is_own(e.x, e.y));
 }
 
+// A part of little contrast before a scene of as little, or of much, image by image.
+GrayImage faint_view(int i, bool is_scene_faint) {
+  const Body body = [&](double x, double y) -> std::optional<double> {
+    if (on_part(x, y)) return 100 + 0.15 * random_blocks(x, y, 2);
+    if (!is_scene_faint) return std::nullopt;
+    return 100 + 0.15 * random_blocks(x + 3 * i, y + 1.3 * i, 1);
+  };
+  return part_view(3 * i, 1.3 * i, body, uint64_t(i + 1));
+}
+
+TEST(FixedParts, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 30; ++i) builder.build(faint_view(i, true));
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 30; i < 70; ++i) pyramid = builder.build(faint_view(i, false));
+  ASSERT_TRUE(pyramid->own_mask);
+  const Covered share = covered(faint_view(70, true), *pyramid);
+  EXPECT_GT(share.of_part, 0.9);
+  EXPECT_LT(share.of_scene, 0.02);
+}
+
+TEST(FixedParts, AUniformPartIsMaskedByItsOutline) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 0; i < 60; ++i) {
+    const auto plain = [&](double x, double y) -> std::optional<double> {
+      if (on_part(x, y)) return 110;
+      return random_blocks((x + 3 * i) / 4, (y + 1.3 * i) / 4, 1);
+    };
+    pyramid = builder.build(part_view(0, 0, plain, uint64_t(i + 1)));
+  }
+  ASSERT_TRUE(pyramid->own_mask);
+  const Covered share = covered(pyramid->source, *pyramid);
+  EXPECT_GT(share.of_part, 0.95);
+  EXPECT_LT(share.of_scene, 0.02);
+}
+
+TEST(FixedParts, ASceneWithoutEdgesNextToAPartIsNotMasked) {
+  const auto on_a_table = [](double x, double y) -> std::optional<double> {
+    if (on_part(x, y)) return gripper(x, y);
+    if (y > 190) return 120;
+    return std::nullopt;
+  };
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  const auto pyramid = show(&builder, 40, 3, 1.3, on_a_table);
+  ASSERT_TRUE(pyramid->own_mask);
+  EXPECT_TRUE(pyramid->is_own(250, 260));
+  EXPECT_FALSE(pyramid->is_own(140, 260));
+  EXPECT_FALSE(pyramid->is_own(360, 260));
+}
+
+TEST(FixedParts, WhatStandsInTheMiddleOfTheViewIsFarAhead) {
+  const auto far = [](double x, double y) -> std::optional<double> {
+    if (x < 170 || x > 330 || y < 100 || y > 210) return std::nullopt;
+    return random_blocks(x, y, 2);
+  };
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 40, 3, 1.3, far)->own_mask);
+}
+
+TEST(FixedParts, ThePartMayBeInViewUntilTheMaskHolds) {
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  auto before = show(&builder, 1, 3, 1.3, gripper);
+  int changes = 0;
+  for (int i = 1; i < 40; ++i) {
+    const auto now = show(&builder, 1, 3, 1.3, gripper, i);
+    if (now->own_mask != before->own_mask) {
+      ++changes;
+      EXPECT_TRUE(before->may_show_own_part) << i;
+    }
+    before = now;
+  }
+  EXPECT_GT(changes, 0);
+}
+
 TEST(FixedParts, ASceneWithoutAPartHasNoMask) {
   PyramidBuilder builder(part_camera(), EdgeParams());
   EXPECT_FALSE(show(&builder, 60, 2, 0.7, no_body)->own_mask);

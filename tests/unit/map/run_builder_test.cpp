@@ -235,6 +235,19 @@ TEST(RunBuilder, ComparesAStepWithThoseReportedBefore) {
   EXPECT_TRUE(std::isnan(builder.times_usual_step(12, at(12))));  // placed again: its own row is none before
 }
 
+TEST(RunBuilder, ComparesAStepWithThoseBeforeAStandstill) {
+  const auto at = [](double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); };
+  RunBuilder builder(test::pinhole());
+  builder.apply(at_origin());
+  for (int i = 0; i < 100; ++i) {
+    FrameAnchored f = frame(i, FrameAnchor{1, {}, at(std::min(i, 20)).inverse(), 0});
+    f.frame.T_world_cam_live = at(std::min(i, 20) + 1e-6 * i);
+    f.frame.evidence.stands = i > 20;
+    builder.apply(f);
+  }
+  EXPECT_NEAR(builder.times_usual_step(100, at(23)), 3, 1e-3);
+}
+
 TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {
   RunBuilder builder(test::pinhole());
   builder.forget_all_but(10);

@@ -143,14 +143,23 @@ TEST(OctreeMap, PointsBeyondTheRangeCountIfTheCameraComesNearLater) {
 
 TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {
   auto scene = pole_and_wall(2, 5);
-  for (KeyframeRecord& k : scene.run.keyframes)  // ten times as large: a median depth of 100
-    for (EdgePoint& p : k.points) p.idepth *= 0.1f, p.idepth_sigma *= 0.1f;
-  EXPECT_DOUBLE_EQ(OctreeMap(scene.run, OccupancyParams()).stats().resolution, 2);
+  for (KeyframeRecord& k : scene.run.keyframes)  // five times as large: a median depth of 50
+    for (EdgePoint& p : k.points) p.idepth *= 0.2f, p.idepth_sigma *= 0.2f;
+  EXPECT_DOUBLE_EQ(OctreeMap(scene.run, OccupancyParams()).stats().resolution, 1);
   scene.run.scale_source = "odometry";
   EXPECT_DOUBLE_EQ(OctreeMap(scene.run, OccupancyParams()).stats().resolution, 0.2);
   OccupancyParams given;
   given.resolution = "0.5";
   EXPECT_DOUBLE_EQ(OctreeMap(scene.run, given).stats().resolution, 0.5);
+}
+
+TEST(OctreeMap, MetricVoxelsAreNoFinerThanAPixelAtTheMedianDepth) {
+  auto scene = pole_and_wall(2, 5);
+  scene.run.scale_source = "given";
+  for (KeyframeRecord& k : scene.run.keyframes)  // a median depth of 100,000 metres
+    for (EdgePoint& p : k.points) p.idepth *= 1e-4f, p.idepth_sigma *= 1e-4f;
+  const double footprint = 1e5 / scene.run.pinhole.fx;
+  EXPECT_NEAR(OctreeMap(scene.run, OccupancyParams()).stats().resolution, footprint, 0.01 * footprint);
 }
 
 TEST(OctreeMap, NothingIsMappedBeyondTheRange) {

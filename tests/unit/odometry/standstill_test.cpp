@@ -66,6 +66,16 @@ TEST_F(AStandingCamera, IsNotHeldToAPoseThatItsStillPartDoesNotFit) {
   EXPECT_FALSE(still_part(*standing, SE3()));
 }
 
+TEST_F(AStandingCamera, IsKnownToStandWhereAUsualStepWouldShow) {
+  const auto stands = [&](const FramePyramid& frame, const SE3& T, double usual) {
+    return standstill.stands(frame, reference->cloud, T, {usual, 0, 0});
+  };
+  EXPECT_TRUE(stands(*standing, SE3(), 0.5));
+  EXPECT_FALSE(stands(*standing, SE3(), 1e-3)) << "what stands still is too far away to show it";
+  EXPECT_FALSE(stands(*standing, turned, 0.5)) << "the pose says that it moves";
+  EXPECT_FALSE(stands(*moving, SE3(), 0.5)) << "the view says so";
+}
+
 TEST_F(AStandingCamera, KeepsItsPoseInAnotherReferenceAndUnit) {
   const SE3 T_old_new = SE3::exp(twist(0.2, 0, 0.1, 0, 0, 0));
   standstill.change_reference(T_old_new);

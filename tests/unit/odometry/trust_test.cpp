@@ -105,13 +105,18 @@ TEST(Trust, IsLowWhenTheUnitOfTheMapHasFallen) {
   fallen.corners->motion_error = 0.6, fallen.corners->motion_error_depths = 0.3;
   const FrameTrust trust = drive.go(fallen, 0.4 * kStep, 10);
   EXPECT_LT(trust.p_right, kDoubtfulBelow);
-  EXPECT_NE(trust.reason, "");
+  EXPECT_EQ(trust.reason, "scale fell by 0.60 within 10 frames");
 }
 
-TEST(PRight, CornersThatContradictByFarDecideAlone) {
-  Doubts doubts{};
-  doubts[size_t(Doubt::kMotion)] = 1.6;
-  EXPECT_LT(p_right(doubts), kDoubtfulBelow);
+TEST(PRight, ContradictionsDecideAlone) {
+  for (const auto& [doubt, value] : {std::pair(Doubt::kMotion, 1.6), std::pair(Doubt::kFocalLength, 1.0),
+                                     std::pair(Doubt::kNoWitness, 3.0)}) {
+    Doubts doubts{};
+    doubts[size_t(doubt)] = value;
+    EXPECT_LT(p_right(doubts), kDoubtfulBelow);
+    doubts[size_t(doubt)] = 0.8 * value;
+    EXPECT_EQ(p_right_limit(doubts), 1);
+  }
 }
 
 // Corners share the mistake, so that nothing else shows it.
@@ -128,6 +133,39 @@ TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
   EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9);
   drive.turn = 0.05, wrong.focal_error = 0.02;
   EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9) << "within what the matches can show";
+}
+
+// Right cameras are up to 1.8 standard deviations off.
+TEST(Trust, AFocalLengthThatMayBeRightDoesNotDecideAlone) {
+  Drive drive;
+  FrameEvidence early = good_evidence();
+  early.focal_error = 0.067, early.focal_error_sigma = 0.055;
+  drive.turn = 0.05;
+  EXPECT_GT(drive.go(early, kStep, 60).p_right, kDoubtfulBelow);
+}
+
+TEST(Trust, EdgesThatLieOffTheMapAreInDoubtEvenIfTheyCountAsInliers) {
+  Drive drive;
+  FrameEvidence misfit = good_evidence();
+  misfit.residual_px = 1.8;
+  const double right = drive.go(good_evidence(), kStep, 60).p_right;
+  EXPECT_GT(drive.go(misfit).p_right, 0.9) << "one frame is no map";
+  EXPECT_LT(drive.go(misfit, kStep, 20).p_right, right - 0.1);
+  drive.go(good_evidence(), kStep, 20);
+  EXPECT_EQ(drive.go(good_evidence()).p_right, right) << "and it is over when they fit again";
+}
+
+// The corners' own path has no length yet.
+TEST(Trust, TurnsOfAFirstMapHideATranslationUntilCornersAgree) {
+  Drive unknown, agreed;
+  FrameEvidence first = good_evidence();
+  first.corners->motion_error_depths = first.corners->motion_error = first.corners->motion_sigma =
+      CornerEvidence::kUnknown;
+  unknown.turn = agreed.turn = 0.04;
+  EXPECT_GT(unknown.go(first, 0.002 * kDepth, 12).doubts[size_t(Doubt::kTurn)], 1);
+  FrameEvidence right = good_evidence();
+  right.corners->motion_error_depths = 0.001;
+  EXPECT_LT(agreed.go(right, 0.002 * kDepth, 20).doubts[size_t(Doubt::kTurn)], 0.1);
 }
 
 // Edges and corners share what a rolling shutter does: in single frames they agree on a wrong translation.
@@ -204,6 +242,30 @@ TEST(Trust, AGiantStepOfTheReportedPosesIsNotTracking) {
   EXPECT_TRUE(giant.is_giant_step);
   EXPECT_GT(giant.p_right, kDoubtfulBelow);
   EXPECT_THAT(giant.reason, HasSubstr("a step of 10 times the usual one"));
+}
+
+// What the edges confirm is no suspicion, and no measure of the steps to come.
+TEST(Trust, ACameraThatIsKnownToStandIsNotInDoubtAndGoesOnAsItCame) {
+  Drive drive;
+  drive.go(good_evidence(), kStep, 60);
+  FrameEvidence standing = good_evidence();
+  standing.stands = true;
+  for (int i = 0; i < 60; ++i) EXPECT_GT(drive.go(standing, 1e-4 * kStep).p_right, 0.9) << i;
+  const FrameTrust first = drive.go(good_evidence(), kStep);
+  EXPECT_GT(first.p_right, 0.9);
+  EXPECT_FALSE(first.is_giant_step);
+  EXPECT_TRUE(drive.go(good_evidence(), 10.1 * kStep).is_giant_step) << "against the steps before the stop";
+}
+
+TEST(Trust, AStandstillThatNothingConfirmsIsAnUnusualStep) {
+  for (const bool is_confirmed : {false, true}) {
+    Drive drive;
+    drive.go(good_evidence(), kStep, 60);
+    FrameEvidence evidence = good_evidence();
+    evidence.stands = is_confirmed;
+    const double doubt = drive.go(evidence, 1e-4 * kStep, 10).doubts[size_t(Doubt::kStep)];
+    EXPECT_EQ(doubt > 0.5, !is_confirmed) << doubt;
+  }
 }
 
 // As many small steps as large ones: either may be taken for the usual one.

@@ -34,6 +34,15 @@ TEST(LogisticFit, FindsTheWeightsAndGivesNoneToADoubtThatSpeaksForTheMotion) {
   for (size_t k = 3; k < kDoubts; ++k) EXPECT_LT(fit.weights[k], 0.12);
 }
 
+TEST(LogisticFit, IsNotBentByWrongMotionsThatNoDoubtShows) {
+  std::vector<EvaluatedMotion> motions = made_motions(1, 20000);
+  for (size_t i = 0; i < motions.size(); i += 5) motions[i].is_wrong = true;
+  const LogisticSum bent = fit_logistic(motions, 1), kept = fit_logistic(motions, 1, 0.2);
+  EXPECT_LT(bent.weights[0], 1.6);
+  EXPECT_NEAR(kept.weights[0], 2, 0.25);
+  EXPECT_NEAR(kept.weights[1], 1, 0.2);
+}
+
 TEST(LogisticFit, IsTheSameForTheSameMotions) {
   EXPECT_EQ(fit_logistic(made_motions(2, 500), 1).weights, fit_logistic(made_motions(2, 500), 1).weights);
 }

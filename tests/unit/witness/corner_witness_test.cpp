@@ -106,6 +106,34 @@ TEST(CornerWitness, ImagesOfAStandingCameraContradictSteps) {
   EXPECT_GT(e->motion_error, 0.8);
 }
 
+TEST(CornerWitness, WhatMovesBeforeACameraThatIsKnownToStandIsNoWitness) {
+  for (const bool is_known : {false, true}) {
+    Wall wall;
+    CornerWitness witness;
+    witness.add(*wall.seen(0, 0), std::nullopt);
+    witness.begin_map(0.1);
+    const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
+    std::optional<CornerEvidence> e;
+    for (int i = 1; i <= 40; ++i) e = witness.add(*wall.seen(5 * i, 0), step);
+    for (int i = 41; i <= 55; ++i) e = witness.add(*wall.seen(5 * i, 0), SE3(), {}, is_known);
+    EXPECT_EQ(e->motion_error > 0.8, !is_known);
+  }
+}
+
+TEST(CornerWitness, CornersOnWhatMovesByItselfHaveNoSay) {
+  const auto tracks_of = [](const MovesByItself& moves) {
+    Wall wall;
+    CornerWitness witness;
+    witness.begin_map(0.1);
+    const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
+    std::optional<CornerEvidence> e;
+    for (int i = 0; i <= 20; ++i) e = witness.add(*wall.seen(5 * i, 0), step, moves);
+    return e ? e->tracks : 0;
+  };
+  EXPECT_GT(tracks_of({}), 0);
+  EXPECT_EQ(tracks_of([](const Eigen::Vector2d&) { return true; }), 0);
+}
+
 TEST(CornerWitness, TwoRunsAreIdentical) {
   const auto run = [] {
     Wall wall;

@@ -15,9 +15,8 @@
 // alignment of the same kind. kReferenceShare, one factor for all scenes, accounts for it.
 //
 // It is the covariance of the pose relative to the reference keyframe, in the local unit of length of the
-// map. The scale of a monocular map drifts by 0.2 to 1 % along the path, which is not included: a fusion with
-// metric sensors must estimate the scale, or add (0.01 T_cur_ref.t)(0.01 T_cur_ref.t)^T. tests/regression
-// compares it with ground truth of rendered scenes.
+// map. The scale of a monocular map drifts along the path: unit_covariance(), which a reported pose includes.
+// tests/regression compares both with ground truth of rendered scenes.
 #include <vector>
 
 #include "edgevo/core/se3.h"
@@ -43,6 +42,10 @@ constexpr double kReferenceShare = 1.5;
 /// Sandwich covariance of a pose, times kReferenceShare. Without equations the result is 1e9 times
 /// kMinResidualVariance. Cost: 0.05 ms for 1500 equations.
 Matrix6d pose_covariance(const std::vector<PoseEquation>& equations);
+
+/// Part of the covariance of T_cur_ref that comes from the unit of length, which drifts by 0.2 to 1 % along a
+/// path: (0.01 t)(0.01 t)^T for its translation t, nothing for the rotation. Cost: 10 ns.
+Matrix6d unit_covariance(const SE3& T_cur_ref);
 
 /// Squared error xi = log(T_estimate T_true^-1), normalised by its covariance. The component along the
 /// translation, which a wrong unit of length causes, is projected out with the covariance as metric. Follows

@@ -12,7 +12,7 @@ namespace edgevo {
 /// Value of FrameRecord::p_right below which a frame is doubtful. At most 2 % of the frames whose motion is
 /// right have a lower one, on cameras that the fit had not seen (split conformal;
 /// share/training/fit_trust.cpp).
-inline constexpr double kDoubtfulBelow = 0.2469;
+inline constexpr double kDoubtfulBelow = 0.4467;
 
 /// Whether the motion around the frame is not to be trusted: p_right is known and below kDoubtfulBelow, or
 /// the frame is LOST.
@@ -30,10 +30,15 @@ struct DoubtfulInterval {
   /// Whether the unit of length after the interval may be another one than before: nothing that was seen in
   /// both links them.
   bool is_unit_unlinked = false;
+  /// Position in Run::frames of the frame that compared the two last; -1: none did.
+  int compared_at = -1;
+  /// Whether the camera's height over the ground links them (scale/ground_link.h).
+  bool is_unit_by_ground = false;
 };
 
 /// The doubtful intervals of the run, in time order. Intervals that are at most ten frames apart are one: it
-/// takes that long to see whether a motion is right. Cost: linear.
+/// takes that long to see whether a motion is right. A frame at which nothing links the unit of length to
+/// that before is one by itself if none precedes it: what was lost has got poses in a new map. Cost: linear.
 std::vector<DoubtfulInterval> doubtful_intervals(const Run& run);
 
 /// The `most` intervals with the most doubtful frames, in time order.
@@ -43,7 +48,7 @@ std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, s
 /// time order; of an interval without any p_right its first frame.
 std::vector<size_t> most_doubtful_frames(const Run& run, size_t most);
 
-/// The reason, and that the unit of length is not linked, if so; empty: unknown.
+/// The reason, and what links the unit of length unless it is what was seen; empty: unknown.
 std::string why(const DoubtfulInterval& interval);
 
 /// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".

@@ -61,6 +61,8 @@ struct UnitComparison {
   double ratio = std::numeric_limits<double>::quiet_NaN();
   /// Standard deviation of the ratio's logarithm; NaN with an unknown ratio.
   double sigma = std::numeric_limits<double>::quiet_NaN();
+  /// Whether it was the camera's height over the ground that linked them, at the end of the run.
+  bool by_ground = false;
   /// Whether the ratio is known.
   bool is_linked() const { return ratio > 0; }  // false for NaN
 };
@@ -79,6 +81,9 @@ struct FrameEvidence {
 
   /// Whether the alignment ended at a pose that is not finite.
   bool diverged = false;
+  /// Whether the camera is known to stand (odometry/src/standstill.h): most edges near enough to show a usual
+  /// step keep their place, and the pose keeps its own.
+  bool stands = false;
   /// Number of map points in view; nothing if the frame was not tracked.
   std::optional<int> visible_points;
   /// Number of these points with an edge match; nothing if the frame was not tracked.

@@ -53,8 +53,8 @@ struct FrameRecord {
   /// Live pose, as estimated when the frame was processed.
   std::optional<SE3> T_world_cam_live;
   /// Covariance of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the
-  /// unit of the run; relative to the keyframe that the frame was tracked against, given its scale
-  /// (alignment/pose_covariance.h, times the factor of odometry/tracking_check.h). Zero: unknown.
+  /// unit of the run; relative to the keyframe that the frame was tracked against
+  /// (alignment/pose_covariance.h, with the factor of odometry/tracking_check.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
   /// Reason why a bootstrap is not ready or tracking was lost; else empty.
   std::string note;

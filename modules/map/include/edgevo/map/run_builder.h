@@ -58,9 +58,9 @@ class RunBuilder {
   /// of another segment.
   std::optional<SE3> pose_before(int frame_index, int segment) const;
   /// Step to the live pose `T_world_cam` of a frame over the usual one: the smaller of the middle two of the
-  /// 50 steps before, between live poses in the world, of whatever segment; over a gap a step is the mean of
-  /// its frames. NaN until ten steps are known; infinite or NaN after steps of 0.
-  /// Cost: a look-up for each frame back to the fiftieth with a pose.
+  /// 50 steps before, between live poses in the world, of whatever segment, in which the camera is not known
+  /// to stand; over a gap a step is the mean of its frames. NaN unless ten are known of the last 1000 frames;
+  /// infinite or NaN after steps of 0. Cost: a look-up for each frame back to the fiftieth of them.
   double times_usual_step(int frame_index, const SE3& T_world_cam) const;
   /// From the map of a segment that has begun to the world.
   const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }

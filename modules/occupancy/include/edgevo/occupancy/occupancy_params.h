@@ -12,7 +12,8 @@ namespace edgevo {
 /// Run::scale_source). The defaults are shares of the median depth of the points: at a median depth of 12 m,
 /// voxels of 0.24 m and a range of 24 m.
 struct OccupancyParams {
-  /// Length in the unit of the run, or "auto": resolution_share of the median depth, at most 0.2 metres.
+  /// Length in the unit of the run, or "auto": resolution_share of the median depth, at most 0.2 metres or
+  /// what a pixel spans at that depth.
   std::string resolution = "auto";
   /// Share of the median depth.
   double resolution_share = 0.02;

@@ -23,21 +23,21 @@ namespace edgevo {
 
 /// What can speak against a motion.
 enum class Doubt {
-  /// The motion over ten frames differs from that of the corners, or a focal length that the matches
-  /// contradict has bent it: share of its length, and degrees.
+  /// The motion over ten frames differs from that of the corners: share of its length, and degrees.
   kMotion,
-  /// The unit of the map has changed, or creeps, as the corners see it.
-  kCornerScale,
+  /// A focal length that the matches contradict has bent the turn: degrees.
+  kFocalLength,
   /// Corners break the epipolar constraint.
   kCornerAgreement,
-  /// There are too few corners, or they move too little, to check the motion.
+  /// There are too few corners, or they move too little, to check the motion; more if the image hardly
+  /// constrains a direction of the pose, either.
   kNoWitness,
   /// The camera turns, and hardly moves: an error in proportion to the turn hides the translation.
   kTurn,
   /// Steps longer or shorter than usual, in the unit of the map.
   kStep,
-  /// A direction of the pose that the image hardly constrains.
-  kWeakDirection,
+  /// Edges lie far from where map and pose put them: what fits neither is rejected, what fits badly stays.
+  kResidual,
   /// The adjustment moves keyframes by more than tracking thought possible.
   kAdjustment,
   /// Few inliers, few points of known depth, or little of the map in view.
@@ -86,6 +86,7 @@ struct FrameTrust {
 /// tracking thread; deterministic. Cost: 10 us a frame.
 class Trust {
  public:
+  Trust();
   /// Adds a frame with a pose, in time order.
   FrameTrust add(const TrustFrame& frame);
   /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
@@ -102,10 +103,12 @@ class Trust {
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
   static constexpr size_t kFrames = 10;
+  /// What the map is to blame for stays longer.
+  static constexpr size_t kMapFrames = 20;
   /// What is usual is the median over so many frames.
   static constexpr size_t kUsualFrames = 200, kUsualSteps = 50;
-  /// What a turn does to the translation is the median over so many turning frames, of so many at least.
-  static constexpr size_t kTurnErrors = 50, kFewestTurnErrors = 5;
+  /// What a turn does to the translation is the median over so many turning frames.
+  static constexpr size_t kTurnErrors = 50;
 
   void begin_segment(int segment);
   double step_of(const TrustFrame& frame);
@@ -121,7 +124,7 @@ class Trust {
   std::optional<Eigen::Vector3d> last_centre_;
   RecentValues blurs_{kUsualFrames}, saturated_{kUsualFrames}, steps_{kUsualSteps};
   RecentValues turn_errors_{kTurnErrors};
-  RecentValues weak_{kFrames}, starvation_{kFrames}, image_{kFrames};
+  RecentValues weak_{kFrames}, starvation_{kFrames}, image_{kFrames}, residuals_{kMapFrames};
   RecentValues moved_{3};
 };
 
@@ -135,10 +138,10 @@ double p_right_at(const TrustKnot* knots, size_t count, double sum);
 
 /// Probability of a right motion given the doubts, 0 to 1: that of their sum, at most p_right_limit().
 double p_right(const Doubts& doubts);
-/// 0.1 where one doubt decides alone, else 1. Corners or a focal length that contradict the motion by far,
-/// 1.6 times what makes it wrong beyond their standard deviation, do: where a map turns over, every other
-/// witness is content. And no independent witness means not healthy: without corners and without information
-/// from the image.
+/// 0.1 where one doubt decides alone, else 1. Corners that contradict the motion by far, 1.6 times what makes
+/// it wrong beyond their standard deviation, do: where a map turns over, every other witness is content. So
+/// does a focal length that makes it wrong: nothing else sees that. And no independent witness means not
+/// healthy: without corners and without information from the image.
 double p_right_limit(const Doubts& doubts);
 
 }  // namespace edgevo

@@ -45,6 +45,9 @@ std::vector<HeightSample> ground_heights(const Pinhole& pinhole, const KeyframeR
                                          const Eigen::Vector3d& down, const Path& path, bool is_path_ended,
                                          const ScaleParams& params);
 
+/// Those of all keyframes whose frames are in `path`, a part of the finished run's, which has ended.
+std::vector<HeightSample> ground_heights(const Run& run, const Path& path, const ScaleParams& params);
+
 /// The scale that puts the mode of the heights at `camera_height` (metres). nullopt for too few points, or
 /// when no height stands out.
 std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples, double camera_height,

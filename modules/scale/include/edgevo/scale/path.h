@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The path of the camera through one segment, as the scale estimators use it.
+// The path of the camera in one unit of length, as the scale estimators use it.
 #include <vector>
 
 #include "edgevo/core/records.h"
@@ -25,7 +25,15 @@ using Path = std::vector<PathPose>;
 /// Appends a pose and computes its travelled distance.
 void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path);
 
-/// Final poses of each segment's frames, by segment number; the path of a segment without poses is empty.
-std::vector<Path> paths_of(const Run& run);
+/// The final path in one unit of length.
+struct UnitPath {
+  /// Number of the unit, from 0 on: another one begins at each doubt after which nothing links the unit of
+  /// length to that before (core/doubtful_intervals.h).
+  int unit = 0;
+  /// Within one segment.
+  Path path;
+};
+/// The paths of the segments, cut where another unit begins; none is empty.
+std::vector<UnitPath> paths_by_unit(const Run& run);
 
 }  // namespace edgevo

@@ -4,6 +4,8 @@
 // edges fit their own depths; where the map turns over within some frames, poses and depths change their unit
 // together and every edge still fits. Corners have depths of their own, in a unit of their own, carried
 // from corner to corner: next to them a unit that is lost shows, and so do wrong rotations and directions.
+#include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -12,6 +14,9 @@
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo {
+
+/// Whether a pixel of the finest level lies on something that is known to move by itself.
+using MovesByItself = std::function<bool(const Eigen::Vector2d& px)>;
 
 /// Follows about 100 corners. For one thread; deterministic.
 class CornerWitness {
@@ -24,8 +29,11 @@ class CornerWitness {
   /// frame with a pose to this one, in the odometry's unit, both as known now: where mapping has moved the
   /// keyframe that the last frame refers to, the last frame has moved with it. So the steps add up to the
   /// path of the live poses. Poses that are found later are not evaluated. Nothing: no pose, and no evidence.
-  /// Cost: half a millisecond at 1241x376.
-  std::optional<CornerEvidence> add(const FramePyramid& frame, const std::optional<SE3>& T_cur_last);
+  /// Corners on what moves by itself are dropped: they agree on its motion, and may be the most.
+  /// `stands`: the camera is known to stand (FrameEvidence::stands), so that corners that move are on
+  /// something else. Cost: half a millisecond at 1241x376.
+  std::optional<CornerEvidence> add(const FramePyramid& frame, const std::optional<SE3>& T_cur_last,
+                                    const MovesByItself& moves = {}, bool stands = false);
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
   /// stay. `median_idepth` of the map is what is expected of corners before their depths are measured.
   void begin_map(double median_idepth);
