@@ -7,6 +7,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
+#include "edgevo/odometry/frame_status.h"
 #include "see_points.h"
 #include "stage_timer.h"
 
