@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 namespace edgevo {
@@ -44,10 +45,14 @@ class Reasons {
   std::map<std::string, Entry> kinds_;
 };
 
-void compare(const UnitComparison& unit, int position, DoubtfulInterval* interval) {
-  interval->compared_at = position;
-  interval->is_unit_unlinked = !unit.is_linked();
-  interval->is_unit_by_ground = unit.by_ground;
+std::string link_in_words(const UnitComparison& unit) {
+  if (!unit.is_linked()) return "nothing links the unit of length after it to that before";
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "only the height over the ground links the unit of length after it to that before (times "
+                "%.3g +- %.1f %%)",
+                unit.ratio, 100 * unit.sigma);
+  return text;
 }
 
 }  // namespace
@@ -70,15 +75,16 @@ std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
       const bool belongs = last >= 0 && int(i) - last <= kComparedWithin;
       if (!belongs && !frame.evidence.unit->is_linked()) {
         close();
-        intervals.push_back({frame.index, frame.index, 0, ""});
+        intervals.push_back({frame.index, frame.index, 0, "", {}});
         last = int(i);
       }
-      if (!intervals.empty()) compare(*frame.evidence.unit, int(i), &intervals.back());
+      if (!intervals.empty())
+        intervals.back().unit = frame.evidence.unit, intervals.back().compared_at = int(i);
     }
     if (!is_doubtful(frame)) continue;
     if (last < 0 || int(i) - last > kJoinedFrames + 1) {
       close();
-      intervals.push_back({frame.index, frame.index, 0, ""});
+      intervals.push_back({frame.index, frame.index, 0, "", {}});
     }
     intervals.back().last_frame = frame.index;
     ++intervals.back().frames;
@@ -117,11 +123,9 @@ std::vector<size_t> most_doubtful_frames(const Run& run, size_t most) {
 }
 
 std::string why(const DoubtfulInterval& interval) {
-  const bool is_linked_by_view = !interval.is_unit_unlinked && !interval.is_unit_by_ground;
+  const bool is_linked_by_view = !interval.unit || (interval.unit->is_linked() && !interval.unit->by_ground);
   if (is_linked_by_view) return interval.reason;
-  return interval.reason + (interval.reason.empty() ? "" : "; ") +
-         (interval.is_unit_by_ground ? "only the height over the ground" : "nothing") +
-         " links the unit of length after it to that before";
+  return interval.reason + (interval.reason.empty() ? "" : "; ") + link_in_words(*interval.unit);
 }
 
 std::string to_string(const DoubtfulInterval& interval) {

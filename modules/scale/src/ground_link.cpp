@@ -53,7 +53,7 @@ UnitComparison comparison(const ScaleEstimate& before, const ScaleEstimate& afte
 void link_units_by_ground(const ScaleParams& params, Run* run) {
   std::vector<int> compared_at;  // where another unit begins
   for (const DoubtfulInterval& interval : doubtful_intervals(*run))
-    if (interval.is_unit_unlinked) compared_at.push_back(interval.compared_at);
+    if (interval.is_unit_unlinked()) compared_at.push_back(interval.compared_at);
   if (compared_at.empty()) return;
   const std::vector<UnitPath> paths = paths_by_unit(*run);
   const HeightOfUnit heights = heights_by_unit(*run, paths, compared_at.size() + 1, params);

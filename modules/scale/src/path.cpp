@@ -19,7 +19,7 @@ void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path)
 std::vector<UnitPath> paths_by_unit(const Run& run) {
   std::vector<int> begins;  // of further units, frames
   for (const DoubtfulInterval& interval : doubtful_intervals(run))
-    if (interval.is_unit_unlinked) begins.push_back(interval.first_frame);
+    if (interval.is_unit_unlinked()) begins.push_back(interval.first_frame);
   std::map<std::pair<int, int>, Path> paths;  // by segment and unit
   size_t unit = 0;
   for (const FrameRecord& frame : run.frames) {

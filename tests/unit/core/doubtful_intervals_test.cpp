@@ -114,8 +114,7 @@ TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
 }
 
 TEST(DoubtfulIntervals, TheLongestAreGivenInOrderOfTime) {
-  const std::vector<DoubtfulInterval> all{
-      {0, 1, 2, "", false}, {20, 29, 10, "", false}, {50, 54, 5, "", false}};
+  const std::vector<DoubtfulInterval> all{{0, 1, 2, "", {}}, {20, 29, 10, "", {}}, {50, 54, 5, "", {}}};
   const std::vector<DoubtfulInterval> most = longest(all, 2);
   ASSERT_EQ(most.size(), 2u);
   EXPECT_EQ(most[0].first_frame, 20);

@@ -67,8 +67,11 @@ TEST(GroundLink, TheCamerasHeightLinksWhatNothingElseDoes) {
   EXPECT_LT(unit->sigma, 0.04);
   const std::vector<DoubtfulInterval> intervals = doubtful_intervals(made.run);
   ASSERT_EQ(intervals.size(), 1u);
-  EXPECT_NE(to_string(intervals[0]).find("only the height over the ground links the unit"),
-            std::string::npos);
+  EXPECT_NE(
+      to_string(intervals[0])
+          .find(
+              "only the height over the ground links the unit of length after it to that before (times 2.8"),
+      std::string::npos);
 }
 
 TEST(GroundLink, WithoutGroundEachPartKeepsItsUnit) {
@@ -76,7 +79,7 @@ TEST(GroundLink, WithoutGroundEachPartKeepsItsUnit) {
   const SE3 before = *made.run.frames[250].T_world_cam;
   link_units_by_ground(ScaleParams(), &made.run);
   EXPECT_LT((made.run.frames[250].T_world_cam->translation() - before.translation()).norm(), 1e-9);
-  EXPECT_TRUE(doubtful_intervals(made.run)[0].is_unit_unlinked);
+  EXPECT_TRUE(doubtful_intervals(made.run)[0].is_unit_unlinked());
 }
 
 TEST(GroundLink, ALinkByWhatWasSeenIsNotTouched) {

@@ -90,19 +90,26 @@ TEST(CornerTracks, ABlackImageLosesThemAndTheNextFindsNewOnes) {
   EXPECT_GT(tracks.view().tracks.front().id, last);
 }
 
+// A step past the wall at depth 10, which moves by 5 px in the image.
+const SE3 kStep(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
+
+// What the witness says after 40 such steps.
+std::optional<CornerEvidence> walk(Wall& wall, CornerWitness* witness) {
+  EXPECT_FALSE(witness->add(*wall.seen(0, 0), std::nullopt));
+  witness->begin_map(0.1);
+  std::optional<CornerEvidence> e;
+  for (int i = 1; i <= 40; ++i) e = witness->add(*wall.seen(5 * i, 0), kStep);
+  return e;
+}
+
 TEST(CornerWitness, ImagesOfAStandingCameraContradictSteps) {
   Wall wall;
   CornerWitness witness;
-  EXPECT_FALSE(witness.add(*wall.seen(0, 0), std::nullopt));
-  witness.begin_map(0.1);
-  const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
-  std::optional<CornerEvidence> e;
-  // The wall at depth 10 moves 5 px a step.
-  for (int i = 1; i <= 40; ++i) e = witness.add(*wall.seen(5 * i, 0), step);
+  std::optional<CornerEvidence> e = walk(wall, &witness);
   ASSERT_TRUE(e);
   EXPECT_GT(e->agreeing_share, 0.9);
   EXPECT_LT(e->motion_error, 0.15);
-  for (int i = 0; i < 12; ++i) e = witness.add(*wall.seen(200, 0), step);
+  for (int i = 0; i < 12; ++i) e = witness.add(*wall.seen(200, 0), kStep);
   EXPECT_GT(e->motion_error, 0.8);
 }
 
@@ -110,11 +117,7 @@ TEST(CornerWitness, WhatMovesBeforeACameraThatIsKnownToStandIsNoWitness) {
   for (const bool is_known : {false, true}) {
     Wall wall;
     CornerWitness witness;
-    witness.add(*wall.seen(0, 0), std::nullopt);
-    witness.begin_map(0.1);
-    const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
-    std::optional<CornerEvidence> e;
-    for (int i = 1; i <= 40; ++i) e = witness.add(*wall.seen(5 * i, 0), step);
+    std::optional<CornerEvidence> e = walk(wall, &witness);
     for (int i = 41; i <= 55; ++i) e = witness.add(*wall.seen(5 * i, 0), SE3(), {}, is_known);
     EXPECT_EQ(e->motion_error > 0.8, !is_known);
   }
@@ -125,9 +128,8 @@ TEST(CornerWitness, CornersOnWhatMovesByItselfHaveNoSay) {
     Wall wall;
     CornerWitness witness;
     witness.begin_map(0.1);
-    const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
     std::optional<CornerEvidence> e;
-    for (int i = 0; i <= 20; ++i) e = witness.add(*wall.seen(5 * i, 0), step, moves);
+    for (int i = 0; i <= 20; ++i) e = witness.add(*wall.seen(5 * i, 0), kStep, moves);
     return e ? e->tracks : 0;
   };
   EXPECT_GT(tracks_of({}), 0);
@@ -138,12 +140,7 @@ TEST(CornerWitness, TwoRunsAreIdentical) {
   const auto run = [] {
     Wall wall;
     CornerWitness witness;
-    witness.add(*wall.seen(0, 0), std::nullopt);
-    witness.begin_map(0.1);
-    const SE3 step(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
-    std::optional<CornerEvidence> e;
-    for (int i = 1; i <= 40; ++i) e = witness.add(*wall.seen(5 * i, 0), step);
-    return *e;
+    return *walk(wall, &witness);
   };
   const CornerEvidence a = run(), b = run();
   EXPECT_EQ(a.tracks, b.tracks);

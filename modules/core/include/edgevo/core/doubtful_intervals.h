@@ -2,6 +2,7 @@
 #pragma once
 // The parts of a run that are not to be trusted, and why: for the closing lines of `edgevo run`, its exit
 // code, summary.yaml and the report.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,13 +28,12 @@ struct DoubtfulInterval {
   /// The commonest note among these frames: what spoke against the poses. Notes that differ only in their
   /// numbers count as one; the first of them is given.
   std::string reason;
-  /// Whether the unit of length after the interval may be another one than before: nothing that was seen in
-  /// both links them.
-  bool is_unit_unlinked = false;
-  /// Position in Run::frames of the frame that compared the two last; -1: none did.
+  /// The last comparison of the units of length before and after the interval; nothing if there was none.
+  std::optional<UnitComparison> unit;
+  /// Position in Run::frames of the frame of that comparison; -1: none.
   int compared_at = -1;
-  /// Whether the camera's height over the ground links them (scale/ground_link.h).
-  bool is_unit_by_ground = false;
+  /// Whether the unit after the interval may be another one than before: nothing links them.
+  bool is_unit_unlinked() const { return unit && !unit->is_linked(); }
 };
 
 /// The doubtful intervals of the run, in time order. Intervals that are at most ten frames apart are one: it
@@ -48,7 +48,7 @@ std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, s
 /// time order; of an interval without any p_right its first frame.
 std::vector<size_t> most_doubtful_frames(const Run& run, size_t most);
 
-/// The reason, and what links the unit of length unless it is what was seen; empty: unknown.
+/// The reason, and that nothing or only the ground links the unit of length, if so; empty: unknown.
 std::string why(const DoubtfulInterval& interval);
 
 /// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".
