@@ -18,13 +18,13 @@
 #include "edgevo/run_loop/run_odometry.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/scale/up_direction.h"
-#include "edgevo/viewer/run_view.h"
 #include "option_checks.h"
 #include "print_run.h"
 #include "progress.h"
 #include "signals.h"
 #include "source_options.h"
 #include "trace_file.h"
+#include "view_window.h"
 
 namespace edgevo::app {
 namespace {
@@ -118,10 +118,10 @@ using OwnPartMask = std::shared_ptr<const Plane<uint8_t>>;
 // Work after each frame: store its image for the playback and its record on disk, update the scale, the
 // window and the progress line.
 std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs, RunScaling& scaling,
-                                                            MapCursor& scale_events, RunView* view,
+                                                            MapCursor& scale_events, const ShowFrame& show,
                                                             std::optional<Progress>& progress,
                                                             OwnPartMask& own, FramesDone& done) {
-  return [&, view](const ProcessedFrame& frame) {
+  return [&](const ProcessedFrame& frame) {
     // A view is a projection of all points, and the mask hardly ever changes.
     constexpr int kFramesBetween = 10;
     if (frame.record.index % kFramesBetween == 0)
@@ -132,17 +132,17 @@ std::function<bool(const ProcessedFrame&)> after_each_frame(RunOutputs& outputs,
     ++done.frames;
     done.with_pose += frame.record.T_world_cam_live.has_value();
     if (progress) progress->update(done.frames);
-    return !view || view->show(frame, interrupted);
+    return !show || show(frame);
   };
 }
 
-std::unique_ptr<RunView> view_from(const RunArguments& args, const ImageSource& source,
-                                   const std::shared_ptr<MapLog>& log) {
-  if (!args.view) return nullptr;
+// Empty without --view, or where the window does not open, which is said.
+ShowFrame view_from(const RunArguments& args, const ImageSource& source, const std::shared_ptr<MapLog>& log) {
+  if (!args.view) return {};
   std::string why;
-  auto view = RunView::open(source.T_vehicle_cam(), log, &why);
-  if (!view) std::fprintf(stderr, "edgevo: --view: %s; the run continues without a window\n", why.c_str());
-  return view;
+  ShowFrame show = open_view_window(source.T_vehicle_cam(), log, interrupted, &why);
+  if (!show) std::fprintf(stderr, "edgevo: --view: %s; the run continues without a window\n", why.c_str());
+  return show;
 }
 
 // Above all ordinary threads of the machine; the other threads of the run keep their priorities.
@@ -165,10 +165,10 @@ RunResult run_over(const RunArguments& args, ImageSource& source, const Odometry
   std::optional<Progress> progress;
   if (!args.quiet) progress.emplace("tracking", source.size());
   if (!args.quiet) options.odometry.log = [&](const std::string& line) { progress->say(line); };
-  const auto view = view_from(args, source, odometry.map_log);
+  const ShowFrame show = view_from(args, source, odometry.map_log);
   MapCursor scale_events(odometry.map_log);
   return run_odometry(source, params, options,
-                      after_each_frame(outputs, scaling, scale_events, view.get(), progress, *own, *done));
+                      after_each_frame(outputs, scaling, scale_events, show, progress, *own, *done));
 }
 
 // A run without a frame writes nothing and leaves the folder as it was.
@@ -256,6 +256,7 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info) {
 }
 
 int run(const RunArguments& given) {
+  if (given.view) become_program_with_window(given.command_line);
   RunArguments args = given;
   const RunParams params = effective_params(args);
   TraceFile trace(args.trace);

@@ -45,4 +45,5 @@ cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO
   -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_UNITY_BUILD=ON \
   -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
 cmake --build "$folder" --parallel "${JOBS:-$(nproc)}"
-ctest --test-dir "$folder" --output-on-failure --parallel 2 $label_filter
+# One more at a time than there are cores: some tests wait for a while.
+ctest --test-dir "$folder" --output-on-failure --parallel $(($(nproc) + 1)) $label_filter

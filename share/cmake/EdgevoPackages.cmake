@@ -65,8 +65,13 @@ edgevo_package(program edgevo "monocular edge visual odometry"
 edges that it saw, on a CPU. Reads MRPT rawlogs, videos and the folders of
 KITTI, TUM and EuRoC; writes trajectories, rawlogs, simplemaps, OctoMaps and
 scenes that the stock tools open, and a report."
-  SECTION science RECOMMENDS "gnuplot-nox | gnuplot"
+  SECTION science RECOMMENDS "edgevo-view, gnuplot-nox | gnuplot"
   SUGGESTS "snakemake, edgevo-mrpt-plugin, edgevo-servo, edgevo-doc, mrpt-apps, octovis, octomap-tools")
+edgevo_package(view edgevo-view "edge visual odometry: a window on its runs"
+  "The program behind `edgevo run --view`, which shows the newest frame with its
+edges, the map and the path. Separate from edgevo, which needs no libraries
+of a desktop on a robot without a screen."
+  SECTION science DEPENDS "edgevo (= ${version})")
 edgevo_package(plugin edgevo-mrpt-plugin "edge visual odometry in MRPT's own programs"
   "A plug-in for rawlog-grabber (-p edgevo_mrpt_plugin.so), which then records
 the image, the pose and the 3D edges of a camera as they come; and an OctoMap

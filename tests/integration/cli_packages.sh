@@ -7,7 +7,7 @@ build=$(cd "$(dirname "$edgevo")/.." && pwd)
 
 run_code 0 cpack --config "$build/CPackConfig.cmake" -B debs -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip
 [ -f debs/edgevo-servo_*.deb ] 2>/dev/null && visp=1 || visp=0
-check "packages" "$(ls debs/*.deb | wc -l)" -eq $((4 + 2 * visp))
+check "packages" "$(ls debs/*.deb | wc -l)" -eq $((5 + 2 * visp))
 deb() { echo debs/"$1"_*.deb; }
 # holds PACKAGE PATH: a regular expression for a whole path.
 holds() {
@@ -18,6 +18,7 @@ needs() { if depends "$1" | grep -q -x "$2"; then ok "$1 needs $2"; else fail "$
 
 holds edgevo bin/edgevo
 holds edgevo libexec/edgevo/edgevo-commands
+holds edgevo-view libexec/edgevo/edgevo-view
 holds edgevo share/edgevo/help/edgevo-run.txt
 holds edgevo share/edgevo/params/default.yaml
 holds edgevo share/edgevo/datasets/scenes/street.yaml
@@ -35,6 +36,8 @@ fi
 needs edgevo "libopencv-core.*"
 needs edgevo "libmrpt-obs.*"
 check "what libedgevo-dev needs of MRPT, OctoMap and X11" "$(depends libedgevo-dev | grep -c 'mrpt\|octomap\|x11')" -eq 0
+needs edgevo-view "libmrpt-gui.*"
+check "what edgevo needs of MRPT's windows" "$(depends edgevo | grep -c 'mrpt-gui')" -eq 0
 needs edgevo-mrpt-plugin "libmrpt-hwdrivers.*"
 check "scripts in Python, which it does not depend on" "$(dpkg-deb -c $(deb edgevo) | grep -c '\.py$')" -eq 0
 # Code that links ViSP, which is under the GPL, is in separate packages.
