@@ -45,6 +45,8 @@ class Reasons {
   std::map<std::string, Entry> kinds_;
 };
 
+bool is_linked_by_view(const UnitComparison& unit) { return unit.is_linked() && !unit.by_ground; }
+
 std::string link_in_words(const UnitComparison& unit) {
   if (!unit.is_linked()) return "nothing links the unit of length after it to that before";
   char text[120];
@@ -64,28 +66,32 @@ bool is_doubtful(const FrameRecord& frame) {
 std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
   std::vector<DoubtfulInterval> intervals;
   Reasons reasons;
-  int last = -1;  // position of the last doubtful frame
+  int last = -1;  // position of the last frame of an interval
   const auto close = [&] {
     if (!intervals.empty()) intervals.back().reason = reasons.commonest();
     reasons = {};
   };
+  const auto begin_at = [&](const FrameRecord& frame) {
+    close();
+    intervals.push_back({frame.index, frame.index, 0, "", {}});
+  };
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const FrameRecord& frame = run.frames[i];
-    if (frame.evidence.unit) {
+    if (const auto& unit = frame.evidence.unit) {
       const bool belongs = last >= 0 && int(i) - last <= kComparedWithin;
-      if (!belongs && !frame.evidence.unit->is_linked()) {
-        close();
-        intervals.push_back({frame.index, frame.index, 0, "", {}});
+      if (!belongs && !is_linked_by_view(*unit)) {
+        begin_at(frame);
         last = int(i);
       }
-      if (!intervals.empty())
-        intervals.back().unit = frame.evidence.unit, intervals.back().compared_at = int(i);
+      if (belongs || !is_linked_by_view(*unit))
+        intervals.back().unit = unit, intervals.back().compared_at = int(i);
     }
     if (!is_doubtful(frame)) continue;
-    if (last < 0 || int(i) - last > kJoinedFrames + 1) {
-      close();
-      intervals.push_back({frame.index, frame.index, 0, "", {}});
-    }
+    const bool is_near = last >= 0 && int(i) - last <= kJoinedFrames + 1;
+    // Where another unit has begun, what follows is a doubt of that one.
+    const bool has_ended =
+        !intervals.empty() && intervals.back().unit && !is_linked_by_view(*intervals.back().unit);
+    if (!is_near || has_ended) begin_at(frame);
     intervals.back().last_frame = frame.index;
     ++intervals.back().frames;
     reasons.add(frame.note);
@@ -123,8 +129,7 @@ std::vector<size_t> most_doubtful_frames(const Run& run, size_t most) {
 }
 
 std::string why(const DoubtfulInterval& interval) {
-  const bool is_linked_by_view = !interval.unit || (interval.unit->is_linked() && !interval.unit->by_ground);
-  if (is_linked_by_view) return interval.reason;
+  if (!interval.unit || is_linked_by_view(*interval.unit)) return interval.reason;
   return interval.reason + (interval.reason.empty() ? "" : "; ") + link_in_words(*interval.unit);
 }
 

@@ -111,7 +111,7 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
   motion_.follow(track.result.T_cur_ref, track.used_median_motion);
-  standstill_.follow(*now.pyramid, track.result.T_cur_ref);
+  standstill_.follow(*now.pyramid, track.result.T_cur_ref, now.record->evidence.stands);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;

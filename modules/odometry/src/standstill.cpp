@@ -50,7 +50,7 @@ std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& fram
                                                         const std::shared_ptr<const Reference>& reference,
                                                         const SE3& T_cur_ref,
                                                         const AlignmentParams& params) const {
-  if (frame.still.empty() || !T_standing_ref_) return nullptr;
+  if (frame.still.empty() || !T_standing_ref_ || !was_seen_to_stand_) return nullptr;
   const std::vector<size_t> inside = points_in(frame, reference->cloud, *T_standing_ref_);
   if (inside.size() < kFewPoints) return nullptr;
   auto still = std::make_shared<Reference>(*reference);
@@ -77,8 +77,12 @@ bool Standstill::stands(const FramePyramid& frame, const ReferenceCloud& cloud, 
          moves(camera, points, *T_standing_ref_, T_usual * *T_standing_ref_);
 }
 
-void Standstill::follow(const FramePyramid& frame, const SE3& T_cur_ref) {
-  if (frame.still.empty() || !T_standing_ref_) T_standing_ref_ = T_cur_ref;
+void Standstill::follow(const FramePyramid& frame, const SE3& T_cur_ref, bool stands) {
+  if (frame.still.empty() || !T_standing_ref_) {
+    T_standing_ref_ = T_cur_ref;
+    was_seen_to_stand_ = false;
+  }
+  was_seen_to_stand_ |= stands;
 }
 
 void Standstill::change_reference(const SE3& T_old_new) {

@@ -5,7 +5,9 @@
 // far away stands still, too, and the rim of a round image always does. So it counts only where the view
 // supports no pose, and two explanations are compared on that part of it: the pose that was found, and that
 // of the time when the part began to keep its place. A pose that moves the points there and explains no more
-// of them is refuted.
+// of them is refuted. A lorry that is followed at its own speed stands still in the image, too, and its edges
+// may have come into the map while it was caught up with: a pose is only held where the camera was seen to
+// stand before, with a view that supported it.
 #include <memory>
 #include <optional>
 
@@ -18,8 +20,8 @@ namespace edgevo {
 class Standstill {
  public:
   /// The points of the reference in the part of a frame that stands still, if the camera stands rather than
-  /// has the pose found for that frame, which is not supported well; null if not, or if there are too few
-  /// points. Cost: nothing while the view moves, else some 0.1 ms.
+  /// has the pose found for that frame, which is not supported well; null if not, if it was not seen to stand
+  /// before, or if there are too few points. Cost: nothing while the view moves, else some 0.1 ms.
   std::shared_ptr<const Reference> still_part(const FramePyramid& frame,
                                               const std::shared_ptr<const Reference>& reference,
                                               const SE3& T_cur_ref, const AlignmentParams& params) const;
@@ -30,8 +32,8 @@ class Standstill {
               const Eigen::Vector3d& usual_step) const;
   /// Pose of the camera while it stands; only after still_part() has found one.
   const SE3& T_standing_ref() const { return *T_standing_ref_; }
-  /// Adopts the pose of a frame.
-  void follow(const FramePyramid& frame, const SE3& T_cur_ref);
+  /// Adopts the pose of a frame; `stands`: as stands() found for it.
+  void follow(const FramePyramid& frame, const SE3& T_cur_ref, bool stands);
   /// Changes to another reference keyframe (MotionModel::change_reference).
   void change_reference(const SE3& T_old_new);
   /// The map has set its unit back: lengths from now on over those before.
@@ -41,6 +43,7 @@ class Standstill {
 
  private:
   std::optional<SE3> T_standing_ref_;
+  bool was_seen_to_stand_ = false;  // since T_standing_ref_
 };
 
 }  // namespace edgevo

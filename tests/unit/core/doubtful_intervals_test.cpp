@@ -106,6 +106,34 @@ TEST(DoubtfulIntervals, ANewMapThatNothingLinksIsOneEvenIfEachFrameHasGotAPose) 
                                       "frame 200: nothing links the unit of length after it to that before"));
 }
 
+TEST(DoubtfulIntervals, ANewMapThatTheGroundLinksIsOneToo) {
+  edgevo::Run run = run_of(120);
+  run.frames[100].evidence.unit = UnitComparison{0.9, 0.02, true};
+  EXPECT_THAT(texts(run),
+              ElementsAre("frame 200: only the height over the ground links the unit of length after it to "
+                          "that before (times 0.9 +- 2.0 %)"));
+}
+
+TEST(DoubtfulIntervals, ADoubtSoonAfterANewMapIsAnotherOne) {
+  edgevo::Run run = run_of(120);
+  doubt(&run, 10, 12, "a");
+  run.frames[15].evidence.unit = UnitComparison{};
+  doubt(&run, 17, 19, "b");
+  run.frames[30].evidence.unit = UnitComparison{};
+  const std::string unlinked = "; nothing links the unit of length after it to that before";
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a" + unlinked, "frames 117 to 119: b" + unlinked))
+      << "both begin another unit";
+}
+
+TEST(DoubtfulIntervals, AComparisonLongAfterwardsSaysNothingOfIt) {
+  edgevo::Run run = run_of(120);
+  doubt(&run, 10, 12, "a");
+  run.frames[15].evidence.unit = UnitComparison{};
+  run.frames[100].evidence.unit = UnitComparison{1.01, 0.03};
+  EXPECT_THAT(texts(run),
+              ElementsAre("frames 110 to 112: a; nothing links the unit of length after it to that before"));
+}
+
 TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
   edgevo::Run run = run_of(30);
   run.frames[5].state = TrackingState::kLost;

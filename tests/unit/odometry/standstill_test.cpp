@@ -25,7 +25,8 @@ class AStandingCamera : public ::testing::Test {
     standing = made(views.pyramid(SE3(), {200, 60, 110}));
     moving->still = {};
     standing->still = {2, 1, {1, 0}};
-    standstill.follow(*moving, SE3());
+    standstill.follow(*moving, SE3(), false);
+    standstill.follow(*standing, SE3(), true);
   }
   std::shared_ptr<const Reference> still_part(const FramePyramid& frame, const SE3& T_cur_ref) {
     return standstill.still_part(frame, reference, T_cur_ref, AlignmentParams());
@@ -52,17 +53,25 @@ TEST_F(AStandingCamera, KeepsItsPoseWhereTooMuchOfItsViewIsHidden) {
 
 TEST_F(AStandingCamera, MovesWithAViewThatMoves) {
   EXPECT_FALSE(still_part(*moving, turned));
-  standstill.follow(*moving, turned);
+  standstill.follow(*moving, turned, false);
+  standstill.follow(*standing, turned, true);
   EXPECT_FALSE(still_part(*standing, turned)) << "it stands where it has moved to";
 }
 
+TEST_F(AStandingCamera, IsNotHeldWhereItWasNeverSeenToStand) {
+  standstill.follow(*moving, SE3(), false);
+  standstill.follow(*standing, SE3(), false);
+  EXPECT_FALSE(still_part(*standing, turned)) << "a lorry that it follows stands still in its images, too";
+}
+
 TEST_F(AStandingCamera, DoesNotCreepWhileItStands) {
-  standstill.follow(*standing, turned);
+  standstill.follow(*standing, turned, true);
   EXPECT_TRUE(still_part(*standing, turned));
 }
 
 TEST_F(AStandingCamera, IsNotHeldToAPoseThatItsStillPartDoesNotFit) {
-  standstill.follow(*moving, SE3::exp(twist(0, 0, 0, 0, 0.3, 0)));
+  standstill.follow(*moving, SE3::exp(twist(0, 0, 0, 0, 0.3, 0)), false);
+  standstill.follow(*standing, SE3::exp(twist(0, 0, 0, 0, 0.3, 0)), true);
   EXPECT_FALSE(still_part(*standing, SE3()));
 }
 
