@@ -77,13 +77,18 @@ TEST_F(GroupsThatMove, AGroupThatMovesByItselfIsFoundWithAllItsPoints) {
 
 TEST_F(GroupsThatMove, NothingIsFoundWhereNothingMoves) { EXPECT_TRUE(find(kBody).points.empty()); }
 
-// The map has its depth wrong: other than expected, but as something that stands still can move.
-TEST_F(GroupsThatMove, AGroupAtAnotherDepthStandsStill) {
-  const SE3 T_cur_ref = SE3::exp(twist(0.15, 0, 0, 0, 0, 0));
+// A vehicle ahead, or a depth that the map has wrong: each moves as something that stands still can move.
+TEST_F(GroupsThatMove, AGroupAtAnotherDepthIsFoundWhereDepthsShow) {
   const double fx = views.scene.camera.pinhole().fx;
-  const double by_map = fx * 0.15 * views.scene.idepth(SE3(), {155, 115});
-  EXPECT_TRUE(find({kBody.left + 2 * by_map, kBody.top, kBody.width}, T_cur_ref).points.empty());
-  EXPECT_FALSE(find({kBody.left - by_map, kBody.top, kBody.width}, T_cur_ref).points.empty());
+  const auto find_at = [&](double step, double times_as_far) {
+    const SE3 T_cur_ref = SE3::exp(twist(step, 0, 0, 0, 0, 0));
+    const double by_map = fx * step * views.scene.idepth(SE3(), {155, 115});
+    return find({kBody.left + times_as_far * by_map, kBody.top, kBody.width}, T_cur_ref);
+  };
+  EXPECT_FALSE(find_at(0.15, 1.5).points.empty());
+  EXPECT_TRUE(find_at(0.15, 1).points.empty()) << "where the map has it";
+  EXPECT_TRUE(find_at(0.03, 2.5).points.empty()) << "the camera has hardly moved";
+  EXPECT_FALSE(find_at(0.15, -1).points.empty()) << "nothing that stands still moves so";
 }
 
 TEST_F(GroupsThatMove, WhatStandsStillIsComparedOverAllDepths) {
