@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/patch_normalisation.h"
-#include "edgevo/alignment/sample_square.h"
+#include "edgevo/edges/sample_square.h"
 
 namespace edgevo {
 namespace {

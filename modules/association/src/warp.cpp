@@ -7,7 +7,7 @@
 
 #include "edgevo/alignment/patch_normalisation.h"
 #include "edgevo/alignment/projection.h"
-#include "edgevo/alignment/sample_square.h"
+#include "edgevo/edges/sample_square.h"
 #include "edgevo/core/simd.h"
 
 namespace edgevo {

@@ -174,7 +174,7 @@ void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE
   const MovingAreas moving = front_end.moving_areas();
   FrameEvidence& evidence = now.record->evidence;
   evidence.corners = corners->add(
-      *now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
+      now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
 }
 
 void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late) {

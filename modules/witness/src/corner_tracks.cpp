@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/video/tracking.hpp>
 
 #include "edgevo/edges/opencv_view.h"
 
@@ -17,30 +16,12 @@ constexpr int kWanted = 80, kMostWanted = 200;
 // Corners are sought again after that many frames if some are lost, at once where too few are left. Fewer
 // than kFew of known depth are too few.
 constexpr int kFramesBetween = 4, kFew = 40;
-// A patch of nine pixels takes half the time of one of eleven: OpenCV works on eight at once.
-constexpr int kPatchPx = 9, kKltLevels = 3, kIterations = 8;
-constexpr double kLeastStepPx = 0.03, kLeastEigenvalue = 2e-4;
-// Largest mean difference of gray values of a patch that was followed.
-constexpr float kMaxDifference = 25;
 constexpr float kBorderPx = 4;
 // Least quality of a new corner relative to the strongest: low, so that they cover the image.
-// Standard deviation of the gray values that images are brought to, and the least that is taken for contrast.
-constexpr double kUsualContrast = 60, kLeastContrast = 4;
 constexpr double kQuality = 0.01;
 constexpr float kMovedPx = 0.5;  // corners are followed to a tenth
 // Cells of the image per wanted corner: many show nothing.
 constexpr double kCellsPerCorner = 2;
-
-// The look-up table that gives an image the usual mean and contrast, so that exposure does not matter.
-cv::Mat normalising_table(const cv::Mat& image) {
-  cv::Scalar mean, deviation;
-  cv::meanStdDev(image, mean, deviation);
-  const double gain = kUsualContrast / std::max(deviation[0], kLeastContrast);
-  cv::Mat table(1, 256, CV_8U);
-  for (int gray = 0; gray < 256; ++gray)
-    table.at<uchar>(gray) = cv::saturate_cast<uchar>(128 + gain * (gray - mean[0]));
-  return table;
-}
 
 }  // namespace
 
@@ -53,24 +34,20 @@ void CornerTracks::choose_level(const FramePyramid& frame) {
   view_.pinhole = frame.levels[size_t(level_)].pinhole;
 }
 
-void CornerTracks::follow(const FramePyramid& frame, const std::vector<ExpectedCorner>& expected) {
+void CornerTracks::follow(const std::shared_ptr<const FramePyramid>& pyramid,
+                          const std::vector<ExpectedCorner>& expected) {
+  const FramePyramid& frame = *pyramid;
   choose_level(frame);
-  const cv::Mat gray = as_mat(frame.levels[size_t(level_)].gray);
-  const bool has_coarse = level_ + 1 < int(frame.levels.size());
-  const cv::Mat coarse = has_coarse ? as_mat(frame.levels[size_t(level_ + 1)].gray) : gray;
-  cv::Mat equal;
-  cv::LUT(gray, normalising_table(coarse), equal);
-  std::vector<cv::Mat> now;
-  cv::buildOpticalFlowPyramid(equal, now, {kPatchPx, kPatchPx}, kKltLevels, false);
+  FlowImage now(pyramid, level_);
   const int had = int(view_.tracks.size());
-  if (!before_.empty() && had > 0) move(now, expected);
+  if (before_ && had > 0) move(now, expected);
   before_ = std::move(now);
   ++frames_since_refill_;
   const int left = int(view_.tracks.size());
   // At large motion many corners are lost at once: so many are sought that enough last.
   if (had > 0) wanted_ = std::clamp(wanted_ * kFew / std::max(1, left), kWanted, kMostWanted);
   if (left < kFew + kFew / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
-    refill(coarse, has_coarse ? 2 : 1);
+    refill(as_mat(before_->levels()[1]), 2);
   drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
 }
 
@@ -82,28 +59,15 @@ void CornerTracks::drop_where(const std::function<bool(const Eigen::Vector2d& px
       view_.tracks.end());
 }
 
-void CornerTracks::move(const std::vector<cv::Mat>& now, const std::vector<ExpectedCorner>& expected) {
-  std::vector<cv::Point2f> from, to;
+void CornerTracks::move(const FlowImage& now, const std::vector<ExpectedCorner>& expected) {
+  std::vector<CornerTrack> kept;
   auto e = expected.begin();
   for (const CornerTrack& t : view_.tracks) {
     while (e != expected.end() && e->id < t.id) ++e;
     const bool is_expected = e != expected.end() && e->id == t.id;
     const Eigen::Vector2f start = is_expected ? e->px : Eigen::Vector2f(t.px + t.motion);
-    from.emplace_back(t.px.x(), t.px.y());
-    to.emplace_back(start.x(), start.y());
-  }
-  std::vector<uchar> found;
-  std::vector<float> difference;
-  cv::calcOpticalFlowPyrLK(before_, now, from, to, found, difference, {kPatchPx, kPatchPx}, kKltLevels,
-                           {cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kIterations, kLeastStepPx},
-                           cv::OPTFLOW_USE_INITIAL_FLOW, kLeastEigenvalue);
-  std::vector<CornerTrack> kept;
-  for (size_t i = 0; i < view_.tracks.size(); ++i) {
-    const Eigen::Vector2f px(to[i].x, to[i].y);
-    if (!found[i] || !(difference[i] < kMaxDifference) ||
-        !view_.pinhole.contains(px.cast<double>(), kBorderPx))
-      continue;
-    kept.push_back({view_.tracks[i].id, px, px - view_.tracks[i].px});
+    const std::optional<Eigen::Vector2f> px = follow_patch(*before_, now, t.px, start);
+    if (px && view_.pinhole.contains(px->cast<double>(), kBorderPx)) kept.push_back({t.id, *px, *px - t.px});
   }
   view_.tracks = std::move(kept);
 }

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Corners followed from image to image (Lucas-Kanade of OpenCV). They know nothing of edges, poses or depths.
+// Corners followed from image to image (patch_flow.h). They know nothing of edges, poses or depths.
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "edgevo/edges/frame_pyramid.h"
+#include "patch_flow.h"
 
 namespace edgevo {
 
@@ -40,7 +43,8 @@ class CornerTracks {
   /// Moves all corners to the next image, drops those that are lost, and finds new ones where few are left.
   /// `expected`, by ascending id, are the starts of the search; corners without one go on as they moved.
   /// Cost: 0.4 ms at 1241x376.
-  void follow(const FramePyramid& frame, const std::vector<ExpectedCorner>& expected);
+  void follow(const std::shared_ptr<const FramePyramid>& pyramid,
+              const std::vector<ExpectedCorner>& expected);
   /// Drops a corner: it is on something that moves, or slid along an edge.
   void drop(const std::vector<uint32_t>& ids);
   /// Drops the corners that have moved in the newest image.
@@ -53,13 +57,13 @@ class CornerTracks {
 
  private:
   void choose_level(const FramePyramid& frame);
-  void move(const std::vector<cv::Mat>& now, const std::vector<ExpectedCorner>& expected);
+  void move(const FlowImage& now, const std::vector<ExpectedCorner>& expected);
   void refill(const cv::Mat& coarse, int factor);
   void add(const std::vector<std::pair<float, cv::Point>>& corners, int factor);
 
   int level_ = 0;
   CornerView view_;
-  std::vector<cv::Mat> before_;  // KLT pyramid of the image before
+  std::optional<FlowImage> before_;  // the image before
   uint32_t next_id_ = 0;
   int frames_since_refill_ = 0;
   int wanted_ = 80;

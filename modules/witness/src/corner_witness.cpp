@@ -15,12 +15,12 @@ CornerWitness::CornerWitness() : impl_(std::make_unique<Impl>()) {}
 CornerWitness::~CornerWitness() = default;
 CornerWitness::CornerWitness(CornerWitness&&) noexcept = default;
 
-std::optional<CornerEvidence> CornerWitness::add(const FramePyramid& frame,
+std::optional<CornerEvidence> CornerWitness::add(const std::shared_ptr<const FramePyramid>& frame,
                                                  const std::optional<SE3>& T_cur_last,
                                                  const MovesByItself& moves, bool stands) {
   CornerTracks& tracks = impl_->tracks;
   CornerEvaluation& evaluation = impl_->evaluation;
-  evaluation.change_distortion(frame.correction.k1);
+  evaluation.change_distortion(frame->correction.k1);
   tracks.follow(frame, evaluation.expect(T_cur_last));
   if (stands) tracks.drop_moving();
   if (moves) tracks.drop_where(moves);

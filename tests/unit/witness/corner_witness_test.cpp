@@ -50,11 +50,11 @@ class Wall {
 TEST(CornerTracks, FollowAShiftToATenthOfAPixelAlsoWhenTheExposureChanges) {
   Wall wall;
   CornerTracks tracks;
-  tracks.follow(*wall.seen(0, 0), {});
+  tracks.follow(wall.seen(0, 0), {});
   const std::vector<CornerTrack> first = tracks.view().tracks;
   ASSERT_GE(first.size(), 60u);
   EXPECT_EQ(tracks.view().pinhole.width, kWidth / 2);
-  tracks.follow(*wall.seen(7, -4, 0.8), {});
+  tracks.follow(wall.seen(7, -4, 0.8), {});
   int followed = 0, right = 0;
   for (const CornerTrack& now : tracks.view().tracks)
     for (const CornerTrack& before : first)
@@ -69,7 +69,7 @@ TEST(CornerTracks, AreReplacedAsTheyAreLostAndNumbersAreNotUsedAgain) {
   CornerTracks tracks;
   uint32_t newest = 0;
   for (int i = 0; i < 30; ++i) {
-    tracks.follow(*wall.seen(-6 * i, 0), {});
+    tracks.follow(wall.seen(-6 * i, 0), {});
     const auto& now = tracks.view().tracks;
     ASSERT_GE(now.size(), 40u) << i;
     for (size_t k = 1; k < now.size(); ++k) EXPECT_LT(now[k - 1].id, now[k].id);
@@ -81,11 +81,11 @@ TEST(CornerTracks, AreReplacedAsTheyAreLostAndNumbersAreNotUsedAgain) {
 TEST(CornerTracks, ABlackImageLosesThemAndTheNextFindsNewOnes) {
   Wall wall;
   CornerTracks tracks;
-  tracks.follow(*wall.seen(0, 0), {});
+  tracks.follow(wall.seen(0, 0), {});
   const uint32_t last = tracks.view().tracks.back().id;
-  tracks.follow(*wall.seen(0, 0, 0), {});
+  tracks.follow(wall.seen(0, 0, 0), {});
   EXPECT_TRUE(tracks.view().tracks.empty());
-  tracks.follow(*wall.seen(0, 0), {});
+  tracks.follow(wall.seen(0, 0), {});
   ASSERT_GE(tracks.view().tracks.size(), 60u);
   EXPECT_GT(tracks.view().tracks.front().id, last);
 }
@@ -95,10 +95,10 @@ const SE3 kStep(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0.1, 0, 0));
 
 // What the witness says after 40 such steps.
 std::optional<CornerEvidence> walk(Wall& wall, CornerWitness* witness) {
-  EXPECT_FALSE(witness->add(*wall.seen(0, 0), std::nullopt));
+  EXPECT_FALSE(witness->add(wall.seen(0, 0), std::nullopt));
   witness->begin_map(0.1);
   std::optional<CornerEvidence> e;
-  for (int i = 1; i <= 40; ++i) e = witness->add(*wall.seen(5 * i, 0), kStep);
+  for (int i = 1; i <= 40; ++i) e = witness->add(wall.seen(5 * i, 0), kStep);
   return e;
 }
 
@@ -109,7 +109,7 @@ TEST(CornerWitness, ImagesOfAStandingCameraContradictSteps) {
   ASSERT_TRUE(e);
   EXPECT_GT(e->agreeing_share, 0.9);
   EXPECT_LT(e->motion_error, 0.15);
-  for (int i = 0; i < 12; ++i) e = witness.add(*wall.seen(200, 0), kStep);
+  for (int i = 0; i < 12; ++i) e = witness.add(wall.seen(200, 0), kStep);
   EXPECT_GT(e->motion_error, 0.8);
 }
 
@@ -118,7 +118,7 @@ TEST(CornerWitness, WhatMovesBeforeACameraThatIsKnownToStandIsNoWitness) {
     Wall wall;
     CornerWitness witness;
     std::optional<CornerEvidence> e = walk(wall, &witness);
-    for (int i = 41; i <= 55; ++i) e = witness.add(*wall.seen(5 * i, 0), SE3(), {}, is_known);
+    for (int i = 41; i <= 55; ++i) e = witness.add(wall.seen(5 * i, 0), SE3(), {}, is_known);
     EXPECT_EQ(e->motion_error > 0.8, !is_known);
   }
 }
@@ -129,7 +129,7 @@ TEST(CornerWitness, CornersOnWhatMovesByItselfHaveNoSay) {
     CornerWitness witness;
     witness.begin_map(0.1);
     std::optional<CornerEvidence> e;
-    for (int i = 0; i <= 20; ++i) e = witness.add(*wall.seen(5 * i, 0), kStep, moves);
+    for (int i = 0; i <= 20; ++i) e = witness.add(wall.seen(5 * i, 0), kStep, moves);
     return e ? e->tracks : 0;
   };
   EXPECT_GT(tracks_of({}), 0);

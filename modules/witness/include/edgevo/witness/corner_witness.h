@@ -32,8 +32,8 @@ class CornerWitness {
   /// Corners on what moves by itself are dropped: they agree on its motion, and may be the most.
   /// `stands`: the camera is known to stand (FrameEvidence::stands), so that corners that move are on
   /// something else. Cost: half a millisecond at 1241x376.
-  std::optional<CornerEvidence> add(const FramePyramid& frame, const std::optional<SE3>& T_cur_last,
-                                    const MovesByItself& moves = {}, bool stands = false);
+  std::optional<CornerEvidence> add(const std::shared_ptr<const FramePyramid>& frame,
+                                    const std::optional<SE3>& T_cur_last, const MovesByItself& moves = {}, bool stands = false);
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
   /// stay. `median_idepth` of the map is what is expected of corners before their depths are measured.
   void begin_map(double median_idepth);

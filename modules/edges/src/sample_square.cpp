@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/alignment/sample_square.h"
+#include "edgevo/edges/sample_square.h"
 
 #include <cstdint>
 #include <cstring>
