@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
 
+#include "corner_strength.h"
 #include "edgevo/edges/opencv_view.h"
 
 namespace edgevo {
@@ -22,6 +23,8 @@ constexpr double kQuality = 0.01;
 constexpr float kMovedPx = 0.5;  // corners are followed to a tenth
 // Cells of the image per wanted corner: many show nothing.
 constexpr double kCellsPerCorner = 2;
+// Corners are found in images that are smaller by this.
+constexpr int kCoarser = 2;
 
 }  // namespace
 
@@ -47,7 +50,7 @@ void CornerTracks::follow(const std::shared_ptr<const FramePyramid>& pyramid,
   // At large motion many corners are lost at once: so many are sought that enough last.
   if (had > 0) wanted_ = std::clamp(wanted_ * kFew / std::max(1, left), kWanted, kMostWanted);
   if (left < kFew + kFew / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
-    refill(as_mat(before_->levels()[1]), 2);
+    refill(before_->levels()[1]);
   drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
 }
 
@@ -72,19 +75,18 @@ void CornerTracks::move(const FlowImage& now, const std::vector<ExpectedCorner>&
   view_.tracks = std::move(kept);
 }
 
-// The strongest corner of each cell of the next coarser level, `factor` times smaller, where none is
-// followed.
-void CornerTracks::refill(const cv::Mat& coarse, int factor) {
+// The strongest corner of each cell of the next coarser level, where none is followed.
+void CornerTracks::refill(const ImageView<uint8_t>& coarse) {
   frames_since_refill_ = 0;
-  const int cell = std::max(4, int(std::sqrt(double(coarse.total()) / (kCellsPerCorner * wanted_))));
-  const int columns = coarse.cols / cell, rows = coarse.rows / cell;
+  const int cell = std::max(4, int(std::sqrt(double(coarse.width) * coarse.height / (kCellsPerCorner * wanted_))));
+  const int columns = coarse.width / cell, rows = coarse.height / cell;
   std::vector<char> taken(size_t(columns) * rows, 0);
   for (const CornerTrack& t : view_.tracks) {
-    const int x = int(t.px.x()) / (factor * cell), y = int(t.px.y()) / (factor * cell);
+    const int x = int(t.px.x()) / (kCoarser * cell), y = int(t.px.y()) / (kCoarser * cell);
     if (x < columns && y < rows) taken[size_t(y) * columns + x] = 1;
   }
-  cv::Mat strength;
-  cv::cornerMinEigenVal(coarse, strength, 3);
+  const Plane<float> strengths = corner_strength(coarse);
+  const cv::Mat strength = as_mat(strengths);
   double strongest = 0;
   cv::minMaxLoc(strength, nullptr, &strongest);
   std::vector<std::pair<float, cv::Point>> found;
@@ -99,14 +101,14 @@ void CornerTracks::refill(const cv::Mat& coarse, int factor) {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& p, const auto& q) { return p.first > q.first; });
   found.resize(std::min(found.size(), size_t(std::max(0, wanted_ - int(view_.tracks.size())))));
-  add(found, factor);
+  add(found);
 }
 
 // A new corner is expected to move as its nearest neighbour does.
-void CornerTracks::add(const std::vector<std::pair<float, cv::Point>>& corners, int factor) {
+void CornerTracks::add(const std::vector<std::pair<float, cv::Point>>& corners) {
   const std::vector<CornerTrack> old = view_.tracks;
   for (const auto& corner : corners) {
-    const Eigen::Vector2f px(float(factor * corner.second.x), float(factor * corner.second.y));
+    const Eigen::Vector2f px(float(kCoarser * corner.second.x), float(kCoarser * corner.second.y));
     if (!view_.pinhole.contains(px.cast<double>(), kBorderPx)) continue;
     CornerTrack fresh{next_id_++, px, Eigen::Vector2f::Zero()};
     const auto nearest = std::min_element(old.begin(), old.end(), [&](const auto& a, const auto& b) {

@@ -58,8 +58,8 @@ class CornerTracks {
  private:
   void choose_level(const FramePyramid& frame);
   void move(const FlowImage& now, const std::vector<ExpectedCorner>& expected);
-  void refill(const cv::Mat& coarse, int factor);
-  void add(const std::vector<std::pair<float, cv::Point>>& corners, int factor);
+  void refill(const ImageView<uint8_t>& coarse);
+  void add(const std::vector<std::pair<float, cv::Point>>& corners);
 
   int level_ = 0;
   CornerView view_;
