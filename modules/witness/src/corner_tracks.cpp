@@ -78,7 +78,8 @@ void CornerTracks::move(const FlowImage& now, const std::vector<ExpectedCorner>&
 // The strongest corner of each cell of the next coarser level, where none is followed.
 void CornerTracks::refill(const ImageView<uint8_t>& coarse) {
   frames_since_refill_ = 0;
-  const int cell = std::max(4, int(std::sqrt(double(coarse.width) * coarse.height / (kCellsPerCorner * wanted_))));
+  const int cell =
+      std::max(4, int(std::sqrt(double(coarse.width) * coarse.height / (kCellsPerCorner * wanted_))));
   const int columns = coarse.width / cell, rows = coarse.height / cell;
   std::vector<char> taken(size_t(columns) * rows, 0);
   for (const CornerTrack& t : view_.tracks) {

@@ -42,7 +42,7 @@ class CornerTracks {
  public:
   /// Moves all corners to the next image, drops those that are lost, and finds new ones where few are left.
   /// `expected`, by ascending id, are the starts of the search; corners without one go on as they moved.
-  /// Cost: 0.4 ms at 1241x376.
+  /// Keeps the frame until the next one. Cost: 0.25 ms at 1241x376.
   void follow(const std::shared_ptr<const FramePyramid>& pyramid,
               const std::vector<ExpectedCorner>& expected);
   /// Drops a corner: it is on something that moves, or slid along an edge.

@@ -22,7 +22,7 @@ constexpr int kSide = 9, kPixels = kSide * kSide;
 constexpr int kFramed = kSide + 2;  // with a pixel around for the gradient
 constexpr int kLevels = 4, kIterations = 8;
 constexpr float kLeastStepPx = 0.03f;
-constexpr float kTurnsBackPx = 0.01f;    // two steps that cancel
+constexpr float kTurnsBackPx = 0.01f;     // two steps that cancel
 constexpr float kLeastEigenvalue = 0.2f;  // of the mean squared gradient, (gray level/px)^2
 // Largest mean difference of gray values of a patch that was followed.
 constexpr float kMaxDifference = 25;
@@ -112,8 +112,7 @@ bool sample(const ImageView<uint8_t>& image, const Eigen::Vector2f& at, float* t
   }
   uint8_t pixels[kRead * kRead];
   for (int v = 0; v < kRead; ++v) {
-    const uint8_t* row =
-        image.data + std::ptrdiff_t(std::clamp(y + v, 0, image.height - 1)) * image.stride;
+    const uint8_t* row = image.data + std::ptrdiff_t(std::clamp(y + v, 0, image.height - 1)) * image.stride;
     for (int u = 0; u < kRead; ++u) pixels[v * kRead + u] = row[std::clamp(x + u, 0, image.width - 1)];
   }
   sample_square_wide<kWidth>(pixels, kRead, fx, fy, to);
@@ -193,7 +192,7 @@ std::optional<Eigen::Vector2f> follow_patch(const FlowImage& before, const FlowI
   const Eigen::Vector2f found = from + moved;
   if (!sample<kSide>(now.levels()[0], found, shown)) return std::nullopt;
   return mean_difference(t, shown, now.gain(), now.offset()) < kMaxDifference ? std::optional(found)
-                                                                               : std::nullopt;
+                                                                              : std::nullopt;
 }
 
 }  // namespace edgevo

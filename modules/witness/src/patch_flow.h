@@ -31,8 +31,8 @@ class FlowImage {
   float gain_ = 1, offset_ = 0;
 };
 
-/// Follows the patch of 9x9 pixels around `from` in `before`; the search in `now` begins at `start`; pixels of
-/// the finest level. Nothing: the patch shows no corner, or is not found. Cost: 1 us.
+/// Follows the patch of 9x9 pixels around `from` in `before`; the search in `now` begins at `start`; pixels
+/// of the finest level. Nothing: the patch shows no corner, or is not found. Cost: 1 us.
 std::optional<Eigen::Vector2f> follow_patch(const FlowImage& before, const FlowImage& now,
                                             const Eigen::Vector2f& from, const Eigen::Vector2f& start);
 
