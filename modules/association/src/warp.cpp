@@ -7,8 +7,8 @@
 
 #include "edgevo/alignment/patch_normalisation.h"
 #include "edgevo/alignment/projection.h"
-#include "edgevo/edges/sample_square.h"
 #include "edgevo/core/simd.h"
+#include "edgevo/edges/sample_square.h"
 
 namespace edgevo {
 
