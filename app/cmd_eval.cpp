@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -19,6 +20,7 @@ struct EvalArguments {
   std::vector<std::string> more_runs;
   bool json = false;
   int frames_total = 0;
+  double truth_sigma_m = 0, truth_sigma_deg = 0;
   TrajectoryReading reading, truth_reading;
 };
 
@@ -63,6 +65,7 @@ int eval_folders(const EvalArguments& args, const EvaluationOptions& options, co
 int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
+  options.stated_noise = {args.truth_sigma_m, args.truth_sigma_deg * M_PI / 180};
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
   if (args.ground_truth.empty())
     throw InputError("GROUNDTRUTH", "is missing", "give the true trajectory after the estimated one");
@@ -116,6 +119,13 @@ void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, 
       ->check(whole_number(1));
   cmd->add_option("--t-offset", args->reading.t_offset_s, "seconds to add to the times of TRAJECTORY")
       ->check(number_between(-1e10, 1e10));
+  cmd->add_option(
+         "--truth-sigma-m", args->truth_sigma_m,
+         "known standard deviation of the true positions of a run, metres per axis; counts where it is "
+         "larger than what they show (errors that a filter keeps do not show)")
+      ->check(number_between(0, 1e6));
+  cmd->add_option("--truth-sigma-deg", args->truth_sigma_deg, "the same of the true orientations, degrees")
+      ->check(number_between(0, 180));
   add_reading_options(*cmd, "", "TRAJECTORY", &args->reading);
   add_reading_options(*cmd, "truth-", "GROUNDTRUTH", &args->truth_reading);
   cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source, eval_runs); }; });

@@ -67,8 +67,11 @@ std::optional<bool> has_changed_light(const std::string& run) {
 
 class RunReader {
  public:
-  RunReader(std::string truth, std::function<Trajectory(const std::string&)> read)
-      : truth_(std::move(truth)), read_(std::move(read)) {}
+  RunReader(std::string truth, const TruthNoise& stated_noise,
+            std::function<Trajectory(const std::string&)> read)
+      : truth_(std::move(truth)), read_(std::move(read)) {
+    rules_.stated_noise = stated_noise;
+  }
 
   const Trajectory& truth_of(const std::string& run) {
     const std::string path = truth_.empty() ? read_finished_run(run).ground_truth : truth_;
@@ -80,7 +83,7 @@ class RunReader {
   }
 
   RunJudgements read(const std::string& run) {
-    RunJudgements found = judge_folder(run, truth_of(run));
+    RunJudgements found = judge_folder(run, truth_of(run), rules_);
     if (!found.live.has_depth && !found.final.has_depth)
       throw InputError((fs::path(run) / "frames.csv").string(),
                        "has no median_depth, without which frames cannot be evaluated",
@@ -90,6 +93,7 @@ class RunReader {
 
  private:
   std::string truth_;
+  JudgementRules rules_;
   std::function<Trajectory(const std::string&)> read_;
   std::map<std::string, Trajectory> known_;
 };
@@ -131,7 +135,7 @@ int eval_runs(const std::vector<std::string>& paths, const EvaluationOptions& op
               const TrajectoryReading& truth_reading,
               const std::function<Trajectory(const std::string& path)>& read_truth) {
   const RunsAndTruth given = sort_out(paths);
-  RunReader reader(given.truth, [&](const std::string& path) {
+  RunReader reader(given.truth, options.stated_noise, [&](const std::string& path) {
     Trajectory truth = read_truth(path);
     reread(truth_reading, &truth);
     return truth;

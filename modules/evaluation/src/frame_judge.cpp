@@ -191,7 +191,7 @@ std::optional<double> nees_of(const JudgedRun& run, const StepScale& scales, int
 
 RunJudgement judge_frames(const std::vector<ClaimedFrame>& claims, const Trajectory& truth,
                           const JudgementRules& rules) {
-  JudgedRun run(claims, truth);
+  JudgedRun run(claims, truth, rules.stated_noise);
   RunJudgement result;
   result.T_body_cam =
       truth_mount(run, StepScale(run), rules.ahead_frames, rules.scale_frames, rules.fewest_scale_steps);

@@ -31,8 +31,9 @@ std::optional<double> weighted_median(Step first, Step last) {
 
 }  // namespace
 
-JudgedRun::JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth)
-    : claims_(claims), noise_(truth_noise(truth)) {
+JudgedRun::JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth,
+                     const TruthNoise& stated)
+    : claims_(claims), noise_(larger_noise(truth_noise(truth), stated)) {
   const GroundTruth at(truth);
   for (const ClaimedFrame& c : claims) truth_.push_back(at.at(c.time));
   find_segments();

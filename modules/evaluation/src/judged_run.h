@@ -19,8 +19,8 @@ const double kOfTwo = std::sqrt(2.0);
 /// The frames of a run with their true poses.
 class JudgedRun {
  public:
-  /// Keeps a reference to `claims`.
-  JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth);
+  /// Keeps a reference to `claims`. `stated`: JudgementRules::stated_noise.
+  JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth, const TruthNoise& stated);
 
   /// Takes the truth for that of a body on which the camera is mounted (truth_mount.h): from now on the true
   /// poses are those of the camera.

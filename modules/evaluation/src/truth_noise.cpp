@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/evaluation/truth_noise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -36,6 +37,10 @@ TruthNoise truth_noise(const Trajectory& truth) {
     turns.push_back(turn.log().tail<3>());
   }
   return {noise_of(moves), noise_of(turns)};
+}
+
+TruthNoise larger_noise(const TruthNoise& a, const TruthNoise& b) {
+  return {std::max(a.position_m, b.position_m), std::max(a.rotation_rad, b.rotation_rad)};
 }
 
 }  // namespace edgevo

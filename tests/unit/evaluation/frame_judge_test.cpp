@@ -230,9 +230,9 @@ TEST(FrameJudge, FramesThatTheNoiseOfTheTruthMayDecideAreNotJudged) {
   EXPECT_TRUE(j.frames[50].below_noise);
 }
 
-TEST(FrameJudge, TheCovarianceOfARightOneIsSix) {
-  const Trajectory truth = winding_drive(2000);
-  MadeRun made = made_run(truth);
+// A run with errors of its covariance, relative to every tenth frame.
+MadeRun run_with_covariance() {
+  MadeRun made = made_run(winding_drive(2000));
   Random random(3);
   const double sigma = 0.01;  // of all six; in the unit of the run
   for (int i = 0; i < 2000; ++i) {
@@ -245,11 +245,38 @@ TEST(FrameJudge, TheCovarianceOfARightOneIsSix) {
     c.T_world_cam = *made.claims[size_t(ref)].T_world_cam * T_cam_ref.inverse();
     c.covariance = sigma * sigma * Matrix6d::Identity(), c.reference = ref;
   }
-  const RunJudgement j = evaluated(made);
-  ASSERT_EQ(j.nees.size(), 1800u);
+  return made;
+}
+
+double mean_nees(const RunJudgement& j) {
   double sum = 0;
   for (const double nees : j.nees) sum += nees;
-  EXPECT_NEAR(sum / 1800, 6, 0.5);
+  return sum / double(j.nees.size());
+}
+
+TEST(FrameJudge, TheCovarianceOfARightOneIsSix) {
+  const RunJudgement j = evaluated(run_with_covariance());
+  ASSERT_EQ(j.nees.size(), 1800u);
+  EXPECT_NEAR(mean_nees(j), 6, 0.5);
+}
+
+// Errors of the truth that rise and fall within 30 frames do not show in its third differences.
+TEST(FrameJudge, AStatedNoiseOfTheTruthIsNoErrorOfTheRun) {
+  constexpr double kWaveM = 0.15;
+  MadeRun made = run_with_covariance();
+  for (size_t i = 0; i < made.truth.poses.size(); ++i) {
+    SE3& T = made.truth.poses[i].T_world_cam;
+    const Eigen::Vector3d off(kWaveM * std::sin(0.2 * double(i)), kWaveM * std::cos(0.2 * double(i)), 0);
+    T = SE3(T.rotation(), T.translation() + off);
+  }
+  const RunJudgement unstated = evaluated(made);
+  EXPECT_LT(unstated.noise.position_m, 0.1 * kWaveM);
+  EXPECT_GT(mean_nees(unstated), 20);
+  JudgementRules rules;
+  rules.stated_noise.position_m = kWaveM / std::sqrt(2.0);
+  const RunJudgement stated = judge_frames(made.claims, made.truth, rules);
+  EXPECT_EQ(stated.noise.position_m, rules.stated_noise.position_m);
+  EXPECT_LT(mean_nees(stated), 8);
 }
 
 }  // namespace

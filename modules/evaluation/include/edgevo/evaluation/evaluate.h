@@ -26,6 +26,8 @@ struct EvaluationOptions {
   int rescale_block_frames = 200;
   /// Maximum drift that an interval counts, cm/m (relative_error.h).
   double drift_cap_cm_per_m = 30;
+  /// For the single frames of a run: JudgementRules::stated_noise.
+  TruthNoise stated_noise;
 };
 
 /// Coverage of the input frames by poses; completion, failure and late start add up to 100 percent.

@@ -66,6 +66,8 @@ struct JudgementRules {
   double p_threshold = kDoubtfulBelow;
   /// The local scale is off if it differs by more than this factor.
   double scale_factor = 1.5;
+  /// Noise of the truth that is known from elsewhere; it counts where it is larger than truth_noise().
+  TruthNoise stated_noise;
 };
 
 /// Result for the motion that begins at one input frame. NaN: unknown.

@@ -6,6 +6,9 @@
 //
 // A camera that really jerks between two samples raises the estimate: it is an upper bound. For a truth
 // without noise (a rendered scene) it is what the path's own third differences leave, micrometres.
+//
+// Errors that stay the same from sample to sample do not show: those of a filtered truth (GPS with inertial
+// sensors) are larger. Then state what is known of them: larger_noise().
 #include "edgevo/evaluation/trajectory.h"
 
 namespace edgevo {
@@ -20,5 +23,8 @@ struct TruthNoise {
 
 /// Noise of `truth`; zero for fewer than eight samples. Cost: linear.
 TruthNoise truth_noise(const Trajectory& truth);
+
+/// The larger of each.
+TruthNoise larger_noise(const TruthNoise& a, const TruthNoise& b);
 
 }  // namespace edgevo
