@@ -5,11 +5,13 @@
 EDGEVO: the program. DATA: the folder of the real sequences (datasets/README.md). OUT: one folder a run, the changed
 sequences under OUT/data, and OUT/runs.txt, the list that edgevo_fit_trust reads: run folder, ground truth, camera.
 The corpus contains failures on purpose: skipped frames, changed and extreme light, blur, a wrong focal length, few
-points. Runs that are there already are kept, so that a stopped corpus goes on where it was.
+points, own parts in view, traffic, and a camera that stands while a bus crosses. Runs that are there already are kept,
+so that a stopped corpus goes on where it was.
 """
 import argparse
 import collections
 import concurrent.futures
+import fnmatch
 import math
 import os
 import shutil
@@ -27,6 +29,18 @@ RENDERED = {'street': ('street', None, 'rendered_car'), 'desk': ('desk', None, '
             'rotation': ('rotation', None, 'rendered_robot'), 'corridor4': ('corridor', 4, 'rendered_robot'),
             'corridor5': ('corridor', 5, 'rendered_robot'), 'rotation2': ('rotation', 2, 'rendered_robot'),
             'desk4': ('desk', 4, 'rendered_hand')}
+# Sequences with a reference of fewer frames, in the folder of --cases: folder, source in it, its options, camera, frames
+# that the reference is of use for. They have no changes.
+CASES = {'phone': ('phone_over_desk', 'video.mp4', ['--camera', 'camera.txt'], 'phone', None),
+         'wide_endoscope': ('endoscope_wide', '', [], 'wide_endoscope', 86)}
+# What `edgevo overlay` pastes over a sequence: options; the frames are numbered from the first that is used.
+OVERLAYS = {'plain20': ['--own-part', 'plain', '--part-share', '0.2'],
+            'gripper20': ['--own-part', 'gripper', '--part-share', '0.2'],
+            'dashboard30': ['--own-part', 'dashboard', '--part-share', '0.3'],
+            'lorry300': ['--vehicle-ahead', '300'], 'lorry400': ['--vehicle-ahead', '400'],
+            'oncoming': ['--traffic', 'oncoming'], 'overtaking': ['--traffic', 'overtaking'],
+            'standing': ['--standing', '80', '--stop-at', '60', '--crossing', '900']}
+ROAD = ('kitti00', 'kitti05', 'kitti02', 'karlsruhe', 'street')  # what has traffic
 # Rotation from the axes that the truth calls the camera's to those of the images, degrees about x, y, z (a rotation
 # vector), found from directions and rotations of a run over ten frames each. Its lever arm is left: in slow turns that
 # truth calls some motions wrong that are right.
@@ -52,6 +66,14 @@ VARIANTS = [
     (2, 'focal120', ['focal1.2'], [], 1),
     (2, 'blur', ['blur'], [], 1),
     (2, 'backward', ['backward'], [], 1),
+    (2, 'plain20', ['plain20'], [], 1),
+    (2, 'gripper20', ['gripper20'], [], 1),
+    (2, 'dashboard30', ['dashboard30'], [], 1),
+    (2, 'lorry300', ['lorry300'], [], 1),
+    (2, 'lorry400', ['lorry400'], [], 1),
+    (2, 'oncoming', ['oncoming'], [], 1),
+    (2, 'overtaking', ['overtaking'], [], 1),
+    (2, 'standing', ['standing'], [], 1),
     (3, 'normal', [], [], 3),
     (3, 'every6', [], ['--every', '6'], 2),
     (3, 'every3', [], ['--every', '3'], 3),
@@ -126,15 +148,21 @@ def play_backward(source, target):
             out.write(' '.join([f'{mirror - float(row[0]):.6f}'] + row[1:]) + '\n')
 
 
+def edgevo_makes(command, name):
+    done = call(command)
+    if done.returncode:
+        sys.exit(f'{name}: {done.stderr.strip()}')
+
+
 def change_once(edgevo, name, source, target, change, seed):
     if change.startswith('focal'):
         scale_focal_length(source, target, float(change[5:]))
     elif change == 'backward':
         play_backward(source, target)
+    elif change in OVERLAYS:
+        edgevo_makes([edgevo, 'overlay', source, '-o', target] + OVERLAYS[change], name)
     else:
-        done = call([edgevo, 'relight', source, '-o', target, '--kind', change, '--seed', str(seed)])
-        if done.returncode:
-            sys.exit(f'{name}: {done.stderr.strip()}')
+        edgevo_makes([edgevo, 'relight', source, '-o', target, '--kind', change, '--seed', str(seed)], name)
 
 
 def changed(edgevo, data, name, source, changes):
@@ -157,9 +185,7 @@ def rendered(edgevo, data, name):
     with MAKING[target]:
         if not os.path.exists(made):
             shutil.rmtree(target, ignore_errors=True)
-            done = call([edgevo, 'simulate', scene, '-o', target] + (['--seed', str(seed)] if seed else []))
-            if done.returncode:
-                sys.exit(f'{name}: {done.stderr.strip()}')
+            edgevo_makes([edgevo, 'simulate', scene, '-o', target] + (['--seed', str(seed)] if seed else []), name)
             open(made, 'w').close()
     return target
 
@@ -179,24 +205,56 @@ def run(edgevo, source, out, options, seed):
             shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
 
 
+def is_possible(name, variant):
+    """Traffic belongs on a road, and no gripper into a body."""
+    if variant in ('lorry300', 'lorry400', 'oncoming', 'overtaking', 'standing'):
+        return name in ROAD
+    return variant not in OVERLAYS or name != 'colon'
+
+
 def plan(last_tier):
     """(tier, name, camera, is real, variant) of all runs up to a tier; each variant of all sequences, then the next."""
     jobs = []
     for v in VARIANTS:
-        jobs += [(v[0], name, camera, True, v) for name, (_, camera) in REAL.items()]
+        if v[1] == 'normal':
+            jobs += [(v[0], name, case[3], True, v) for name, case in CASES.items()]
+        jobs += [(v[0], name, camera, True, v) for name, (_, camera) in REAL.items() if is_possible(name, v[1])]
         is_plain = v[1] in ('normal', 'every3', 'mixed')
-        if v[4] == 1 and (is_plain or v[1] in ('every5', 'focal80', 'few_points', 'extreme')):
+        if v[1] in OVERLAYS:
+            jobs += [(v[0], name, RENDERED[name][2], False, v) for name in ('street', 'desk') if is_possible(name, v[1])]
+        elif v[4] == 1 and (is_plain or v[1] in ('every5', 'focal80', 'few_points', 'extreme')):
             jobs += [(v[0] + (1 if seed else 0), name, camera, False, v)
                      for name, (_, seed, camera) in RENDERED.items() if is_plain or not seed]
     return sorted((j for j in jobs if j[0] <= last_tier), key=lambda j: j[0])
 
 
+def every(options):
+    return int(options[options.index('--every') + 1]) if '--every' in options else 1
+
+
+def make_case(args, name, out, camera, seed):
+    """Makes the run of a case as it is; its line of runs.txt, empty if there is none or no folder of them."""
+    folder, source, options, _, frames = CASES[name]
+    folder = f'{args.cases}/{folder}'
+    if not args.cases or args.prepare:
+        return ''
+    options = [f'{folder}/{o}' if o.endswith('.txt') else o for o in options]
+    frames = min((n for n in (frames, args.frames) if n), default=None)
+    run(args.edgevo, f'{folder}/{source}', out, options + (['--frames', f'0:{frames}'] if frames else []), seed)
+    reference = os.path.abspath(f'{folder}/reference_tum.txt')
+    return f'{os.path.abspath(out)} {reference} {camera}\n' if os.path.exists(f'{out}/summary.yaml') else ''
+
+
 def make(args, data, job):
     """Makes the run of a job with what it needs; its line of runs.txt, empty if there is none."""
     _, name, camera, is_real, (_, variant, changes, options, seed) = job
+    out = f'{args.out}/{name}.{variant}.{seed}'
+    if name in CASES:
+        return make_case(args, name, out, camera, seed)
     source = f'{args.data}/{REAL[name][0]}' if is_real else rendered(args.edgevo, data, name)
     source = changed(args.edgevo, data, name, source, changes)
-    out = f'{args.out}/{name}.{variant}.{seed}'
+    if args.frames:
+        options = options + ['--frames', f'0:{args.frames * every(options)}']
     if not args.prepare:
         run(args.edgevo, source, out, options, seed)
     if not os.path.exists(f'{out}/summary.yaml'):
@@ -204,19 +262,27 @@ def make(args, data, job):
     return f'{os.path.abspath(out)} {truth_of(name, source, data)} {camera}\n'
 
 
+def is_wanted(job, patterns):
+    _, name, _, _, (_, variant, _, _, seed) = job
+    return not patterns or any(fnmatch.fnmatchcase(f'{name}.{variant}.{seed}', p) for p in patterns)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('edgevo')
     parser.add_argument('data')
     parser.add_argument('out')
-    parser.add_argument('--tier', type=int, default=3, help='1: some 40 runs, 2: 120, 3: all')
+    parser.add_argument('--tier', type=int, default=3, help='1: some 60 runs, 2: 160, 3: all')
+    parser.add_argument('--cases', help='folder of phone_over_desk and endoscope_wide (default: without them)')
+    parser.add_argument('--frames', type=int, help='use only the first images, so many in each run')
+    parser.add_argument('--only', nargs='+', help='runs to make, NAME.VARIANT.SEED with * for any text')
     parser.add_argument('--jobs', type=int, default=1, help='runs at a time')
     parser.add_argument('--list', action='store_true', help='print the runs and end')
     parser.add_argument('--prepare', action='store_true', help='make the changed sequences only')
     args = parser.parse_args()
     data = f'{args.out}/data'
     os.makedirs(data, exist_ok=True)
-    jobs = plan(args.tier)
+    jobs = [j for j in plan(args.tier) if is_wanted(j, args.only)]
     if args.list:
         for tier, name, camera, _, (_, variant, _, _, seed) in jobs:
             print(tier, name, variant, seed, camera)
