@@ -46,7 +46,7 @@ ROAD = ('kitti00', 'kitti05', 'kitti02', 'karlsruhe', 'street')  # what has traf
 # truth calls some motions wrong that are right.
 TRUTH_TURN = {'karlsruhe': (6.148, -0.537, 1.080)}
 FEW_POINTS = ['--set', 'mapping.window.max_points=150']
-KEPT = {'frames.csv', 'summary.yaml', 'trajectory_tum.txt', 'trajectory_live_tum.txt', 'scale.csv'}
+KEPT = {'frames.csv', 'summary.yaml', 'trajectory_tum.txt', 'trajectory_live_tum.txt', 'scale.csv', 'covariances.csv'}
 
 
 # Tier (the lower, the earlier it runs), variant, changes of the data, options of the run, seed.
