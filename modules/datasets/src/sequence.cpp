@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sequence.h"
 
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 #include "edgevo/core/error.h"
@@ -76,6 +78,20 @@ bool says_no_time(const std::string& text) {
   return text == "-" || text == "nan" || text == "NaN" || text == "NAN" || text == "-nan";
 }
 
+// `texts` are numbers; texts[i] is in lines[stated[i]].
+void check_one_unit(const std::vector<TextLine>& lines, const std::vector<size_t>& stated,
+                    const std::vector<std::string>& texts) {
+  std::vector<double> times;
+  for (const std::string& text : texts) times.push_back(std::strtod(text.c_str(), nullptr));
+  const auto other = other_unit_in(times);
+  if (!other) return;
+  const size_t i = other->index;
+  throw InputError(lines[stated[i]].where,
+                   quote(texts[i]) + " is in another unit than " + quote(texts[i - 1]) +
+                       " before it (a factor of " + std::to_string(std::lround(other->factor)) + ")",
+                   "write all times in seconds");
+}
+
 }  // namespace
 
 std::unique_ptr<ImageSource> play(Sequence sequence, int bits) {
@@ -99,6 +115,7 @@ std::vector<Timestamp> parse_times_of(const std::vector<TextLine>& lines, const 
   if (!parse_times(texts, options.time_unit, &parsed, &unit, &bad))
     throw InputError(lines[stated[bad]].where, quote(texts[bad]) + " is not a time",
                      "write seconds, one number a line");
+  check_one_unit(lines, stated, texts);
   if (decisions && (unit.unit.decimals > 0 || !unit.doubt.empty()))
     decisions->push_back({"times", std::string("in ") + unit.unit.name, unit.reason, unit.doubt});
   std::vector<Timestamp> times(lines.size(), kNoTime);

@@ -87,6 +87,17 @@ std::string shifted(const std::string& text, int digits) {
   return text.substr(0, begin) + whole + rest;
 }
 
+// A step like the usual one, or with a dropped image or two.
+bool is_like(double step, double usual) { return step > 0.3 * usual && step < 3.5 * usual; }
+
+// Whether times[i], multiplied by `scale`, goes on from the two before it, and the time after it from that.
+bool goes_on(const std::vector<double>& times, size_t i, double scale) {
+  const double before = times[i - 1], usual = before - times[i - 2], here = scale * times[i];
+  if (!(usual > 0) || !is_like(here - before, usual)) return false;
+  const double next = times[i + 1];
+  return is_like(scale * next - here, usual) || is_like(next - here, usual);
+}
+
 // 0, 1, 2, ... or 1, 2, 3, ...
 bool only_count(const std::vector<double>& times) {
   if (times.front() != 0 && times.front() != 1) return false;
@@ -118,6 +129,13 @@ UnitOfTimes time_unit_of(const std::vector<double>& times) {
             "these are " + short_number(1 / step) + " frames a second; check the unit of the list"};
   if (by_step == 0) return {};
   return {kUnits[by_step], steps_of(step, by_step), doubt_about_rate(step, by_step)};
+}
+
+std::optional<OtherUnit> other_unit_in(const std::vector<double>& times) {
+  for (size_t i = 2; i + 1 < times.size(); ++i)
+    for (const double factor : {1e3, 1e6, 1e9})
+      if (goes_on(times, i, 1 / factor) || goes_on(times, i, factor)) return OtherUnit{i, factor};
+  return std::nullopt;
 }
 
 bool parse_time(const std::string& text, const TimeUnit& unit, Timestamp* t) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Times that a recorder wrote in milliseconds, microseconds or nanoseconds instead of seconds.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,17 @@ struct UnitOfTimes {
 /// five seconds or more) and by the size of numbers that count from 1970. If the two contradict each other,
 /// the date decides, unless the step then is that of a usual video; that is a doubt.
 UnitOfTimes time_unit_of(const std::vector<double>& times);
+
+/// A time of another unit than that before it.
+struct OtherUnit {
+  size_t index = 0;
+  /// The larger of the two numbers over the smaller: 1e3, 1e6 or 1e9.
+  double factor = 1;
+};
+
+/// The first of `times` (in their given order) in another unit than that before it; nullopt: none. Evidence
+/// is a jump by 10^3, 10^6 or 10^9 that vanishes in the other unit, for the time after it as well.
+std::optional<OtherUnit> other_unit_in(const std::vector<double>& times);
 
 /// Parses a number of that unit, exact to the tick. False if `text` is not entirely a number, or is too
 /// large.

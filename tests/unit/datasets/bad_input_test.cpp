@@ -166,6 +166,13 @@ TEST_F(BadFolder, CountsThatDiffer) {
               AllOf(HasSubstr("times.txt: 3 times for 4 images"), HasSubstr("one time for each image")));
 }
 
+TEST_F(BadFolder, TimesInTwoUnits) {
+  write_text(folder_ / "times.txt", "0\n0.1\n200000000\n300000000\n");
+  EXPECT_THAT(open_error(),
+              AllOf(HasSubstr("times.txt, line 3: '200000000' is in another unit than '0.1' before it"),
+                    HasSubstr("a factor of 1000000000"), HasSubstr("all times in seconds")));
+}
+
 TEST_F(BadFolder, TimesInAFinerUnit) {
   write_text(folder_ / "times.txt", "0\n33\n67\n100\n");
   const auto source = open();

@@ -19,6 +19,23 @@ TEST(TimeUnit, FollowsFromTheMedianStep) {
   EXPECT_EQ(unit_of({0, 0.1, 60, 60.1, 60.2}), "seconds") << "one gap";
 }
 
+TEST(TimeUnit, SeesATimeInAnotherUnit) {
+  const auto some = other_unit_in({0, 0.1, 0.2, 3e8, 0.4, 0.5});
+  ASSERT_TRUE(some);
+  EXPECT_EQ(some->index, 3u);
+  EXPECT_EQ(some->factor, 1e9);
+  const auto rest = other_unit_in({1.6e15, 1.6e15 + 1e5, 1.6e9 + 0.2, 1.6e9 + 0.3});
+  ASSERT_TRUE(rest) << "from microseconds to seconds, for good";
+  EXPECT_EQ(rest->index, 2u);
+  EXPECT_EQ(rest->factor, 1e6);
+}
+
+TEST(TimeUnit, APauseIsNoOtherUnit) {
+  EXPECT_FALSE(other_unit_in({}));
+  EXPECT_FALSE(other_unit_in({0, 0.1, 0.2, 300, 300.1, 300.2}));
+  EXPECT_FALSE(other_unit_in({0, 0.1, 0.2, 0.2, 0.1, 0.4, 0.5})) << "times that run backwards";
+}
+
 TEST(TimeUnit, FollowsFromNumbersSince1970) {
   for (const auto& [factor, name] :
        {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {
