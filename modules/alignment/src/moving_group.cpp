@@ -190,7 +190,7 @@ double median_idepth(const ReferenceCloud& cloud) {
 
 // In one step a vehicle ahead moves as something could that stands still further away: then it is where the
 // map puts its points that does not fit. So does a group at a depth that the map has wrong; what follows
-// tells them apart (MovingBodies). Where the camera has hardly moved, depths make no difference.
+// parts them (MovingBodies). Where the camera has hardly moved, depths make no difference.
 bool may_move_by_itself(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                         const std::vector<int>& group, const std::vector<OrientedPixel>& pixels,
                         const ImageSimilarity& motion) {

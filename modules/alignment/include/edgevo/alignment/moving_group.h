@@ -3,8 +3,8 @@
 // A second motion in view: a group of points of the map that contradicts a pose and agrees on a motion of its
 // own. What moves by itself is compact, and the scene is seen around it. Over a few frames its image moves by
 // a similarity: a shift and a change of size. Points that only have a wrong depth, leaves and blurred edges
-// agree on nothing. One that moves as something could that stands still at another depth may have a wrong depth,
-// or be a vehicle ahead: it is found, too, and time tells.
+// agree on nothing. One that moves as something could that stands still at another depth may have a wrong
+// depth, or be a vehicle ahead: it is found, too, and is one or the other by what follows.
 #include <vector>
 
 #include "edgevo/alignment/alignment_params.h"
