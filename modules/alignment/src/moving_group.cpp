@@ -26,7 +26,8 @@ constexpr double kOwnShare = 0.6, kOwnExcess = 0.35;
 
 // From where the map puts a group, or anything that stands still could be.
 constexpr double kImpossiblePx = 2;
-constexpr double kSceneMovesPx = 4;  // that the map moves a group which keeps its place
+constexpr double kUsualDepthError = 0.25;  // of points of the map, median inverse depths
+constexpr double kSceneMovesPx = 4;        // that the map moves a group which keeps its place
 
 enum class Fit : uint8_t { kUnseen, kAgrees, kContradicts };
 
@@ -190,13 +191,15 @@ double median_idepth(const ReferenceCloud& cloud) {
 
 // In one step a vehicle ahead moves as something could that stands still further away: then it is where the
 // map puts its points that does not fit. So does a group at a depth that the map has wrong; what follows
-// parts them (MovingBodies). Where the camera has hardly moved, depths make no difference.
+// parts them (MovingBodies), and a small error is usual. Where the camera has hardly moved, depths make no
+// difference.
 bool may_move_by_itself(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                         const std::vector<int>& group, const std::vector<OrientedPixel>& pixels,
                         const ImageSimilarity& motion) {
   const StaticComparison c = compare_with_static(camera, T_cur_ref, median_idepth(cloud), pixels, motion);
   const double from_map = distance_from_map(camera, cloud, T_cur_ref, group, motion);
-  if (from_map > kImpossiblePx && c.parallax_px > kImpossiblePx) return true;
+  if (from_map > std::max(kImpossiblePx, kUsualDepthError * c.parallax_px) && c.parallax_px > kImpossiblePx)
+    return true;
   return c.is_fixed ? from_map > kSceneMovesPx : c.distance_px > kImpossiblePx;
 }
 

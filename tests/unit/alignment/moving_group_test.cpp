@@ -87,6 +87,7 @@ TEST_F(GroupsThatMove, AGroupAtAnotherDepthIsFoundWhereDepthsShow) {
   };
   EXPECT_FALSE(find_at(0.15, 1.5).points.empty());
   EXPECT_TRUE(find_at(0.15, 1).points.empty()) << "where the map has it";
+  EXPECT_TRUE(find_at(0.15, 1.2).points.empty()) << "an ordinary error of depth";
   EXPECT_TRUE(find_at(0.03, 2.5).points.empty()) << "the camera has hardly moved";
   EXPECT_FALSE(find_at(0.15, -1).points.empty()) << "nothing that stands still moves so";
 }
