@@ -89,9 +89,16 @@ InputDecision varying_rate(const std::vector<double>& stamps) {
           ""};
 }
 
-// cv::VideoCapture reports the end of a video and damaged data alike: read() is false. A video that ends well
-// before its own frame count is reported as damaged; since counts are estimates, a few missing frames are
-// not.
+// Matroska is not read on from where it is damaged.
+std::string doubt_of_end(const std::vector<double>& stamps, double stated_s) {
+  if (stamps.back() > 0.95 * stated_s) return "";  // sound may last longer
+  return "the last frame that is found is at " + fixed(stamps.back(), 2) + " of " + fixed(stated_s, 2) +
+         " s: the video may be damaged; convert it again";
+}
+
+// cv::VideoCapture reports the end of a video and damaged data alike: grab() is false. After a frame that does
+// not decode it goes on with the next one. A video that ends well before its own frame count is reported as
+// damaged; since counts are estimates, a few missing frames are not, unless its index lists them.
 class VideoSource : public ImageSource {
  public:
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
@@ -124,7 +131,7 @@ class VideoSource : public ImageSource {
     const int index = index_ - 1;
     const std::string where = path_ + ", frame " + std::to_string(index);
     try {
-      if (!capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
+      if (is_bad_ || !capture_.retrieve(pixels) || pixels.empty() || pixels.depth() != CV_8U)
         throw InputError(where, "the image does not decode", "convert the video again");
       Frame frame{index, time_of(index), to_gray(pixels)};
       check_image_size(frame.image, camera_.pinhole(), where);
@@ -134,32 +141,59 @@ class VideoSource : public ImageSource {
     }
   }
   bool skip() override {
-    if (done_) return false;
-    if (capture_.grab()) {
-      ++index_;
-      return true;
+    if (!is_grabbed_ && bad_ == 0 && !done_) look_ahead();
+    is_bad_ = bad_ > 0;
+    if (is_bad_)
+      --bad_;
+    else if (is_grabbed_)
+      is_grabbed_ = false;
+    else
+      return false;
+    ++index_;
+    return true;
+  }
+
+ private:
+  // Grabs the next frame that decodes, and counts those before it that do not.
+  void look_ahead() {
+    for (int i = index_; !is_grabbed_ && !done_; ++i) {
+      if (std::binary_search(missing_.begin(), missing_.end(), i))
+        ++bad_;
+      else if (capture_.grab())
+        is_grabbed_ = true;
+      else if (i < listed_)
+        ++bad_;
+      else
+        done_ = true;
     }
-    done_ = true;
-    if (count_ && index_ < *count_ - std::max(kMissingFrames, *count_ / kMissingShare))
+    if (done_) check_end();
+  }
+  void check_end() {
+    if (count_ && index_ < *count_ - std::max(kMissingFrames, *count_ / kMissingShare)) {
+      bad_ = 0;
       throw InputError(path_,
                        "ends after " + std::to_string(index_) + " of " + std::to_string(*count_) + " frames",
                        "the video is damaged; convert it again");
+    }
+    if (!lists_all_) bad_ = 0;  // a packet may hold less than a frame
     if (ends_within_a_packet(path_))
       throw InputError(path_,
                        "is cut short: it ends within a packet after " + std::to_string(index_) + " frames",
                        "copy it again, if there is more of it");
-    return false;
   }
-
- private:
   // Stamps are used where the rate varies; a rate that holds is more exact than they are.
   void use(const VideoStamps& stamps, bool rate_is_given) {
     const double own_rate = capture_.get(cv::CAP_PROP_FPS);
     const bool varies = stamps.seconds.size() > 1 && !have_rate(stamps.seconds, own_rate);
+    if (!varies) missing_ = stamps.missing;
+    listed_ = int(stamps.seconds.size() + missing_.size());
+    lists_all_ = stamps.is_complete;
+    const double stated_s = count_ ? *count_ / own_rate : 0;
     if (varies) count_ = int(stamps.seconds.size());  // OpenCV's is the duration times a rate
     if (varies && !rate_is_given) {
       stamps_ = stamps.seconds;
       decisions_.push_back(varying_rate(stamps_));
+      decisions_.back().doubt = doubt_of_end(stamps_, stated_s);
     } else if (rate_.decision) {
       decisions_.push_back(*rate_.decision);
     }
@@ -183,7 +217,13 @@ class VideoSource : public ImageSource {
   Rate rate_;
   std::vector<double> stamps_;  // of a varying rate, in seconds; else empty
   std::optional<int> count_;
-  int index_ = 0;
+  std::vector<int> missing_;  // frames without data, increasing
+  int listed_ = 0;            // frames by the packets of the file, with the missing ones
+  bool lists_all_ = false;    // that number is exact
+  int index_ = 0;             // the next frame
+  int bad_ = 0;               // frames from there on that do not decode
+  bool is_grabbed_ = false;   // the one after them
+  bool is_bad_ = false;       // the newest one did not decode
   bool done_ = false;
 };
 

@@ -41,19 +41,39 @@ std::unique_ptr<AVFormatContext, CloseInput> open_input(const std::string& path)
   return input;
 }
 
-// Stamps of the packets of a stream in the order of the file; empty if one has none.
-std::vector<int64_t> packet_stamps(AVFormatContext* input, int stream) {
-  std::vector<int64_t> stamps;
+// The packets of a stream in the order of the file.
+struct Packets {
+  std::vector<int64_t> stamps;     // of those that are shown; empty if one has none
+  std::vector<int64_t> positions;  // in the file
+};
+
+Packets read_packets(AVFormatContext* input, int stream) {
+  Packets packets;
+  bool have_stamps = true;
   const std::unique_ptr<AVPacket, FreePacket> packet(av_packet_alloc());
-  while (av_read_frame(input, packet.get()) >= 0) {
-    const bool is_shown = packet->stream_index == stream && (packet->flags & AV_PKT_FLAG_DISCARD) == 0;
-    const int64_t stamp = packet->pts;
-    av_packet_unref(packet.get());
-    if (!is_shown) continue;
-    if (stamp == AV_NOPTS_VALUE) return {};
-    stamps.push_back(stamp);
+  for (; have_stamps && av_read_frame(input, packet.get()) >= 0; av_packet_unref(packet.get())) {
+    if (packet->stream_index != stream) continue;
+    packets.positions.push_back(packet->pos);
+    if (packet->flags & AV_PKT_FLAG_DISCARD) continue;
+    have_stamps = packet->pts != AV_NOPTS_VALUE;
+    packets.stamps.push_back(packet->pts);
   }
-  return stamps;
+  if (!have_stamps) packets = {};
+  return packets;
+}
+
+// Which entries of an index have data that no packet came from; those after the last packet are cut off.
+std::vector<int> missing_entries(const AVStream& stream, std::vector<int64_t> positions) {
+  constexpr int64_t kHeader = 8;  // bytes between the start of a chunk of AVI and its data
+  std::sort(positions.begin(), positions.end());
+  std::vector<int> missing;
+  for (int i = 0; i < int(stream.nb_frames) && !positions.empty(); ++i) {
+    const int64_t stated = avformat_index_get_entry(const_cast<AVStream*>(&stream), i)->pos;
+    const auto found = std::lower_bound(positions.begin(), positions.end(), stated);
+    if (found == positions.end()) break;
+    if (*found > stated + kHeader) missing.push_back(i);
+  }
+  return missing;
 }
 
 }  // namespace
@@ -68,11 +88,16 @@ VideoStamps read_video_stamps(const std::string& path) {
   VideoStamps result;
   const int format = stream.codecpar->format;
   result.is_16_bit_gray = format == AV_PIX_FMT_GRAY16LE || format == AV_PIX_FMT_GRAY16BE;
-  std::vector<int64_t> stamps = packet_stamps(input.get(), index);
+  // Before the packets are read, which adds to an index that lists only some.
+  const int listed = avformat_index_get_entries_count(&stream);
+  Packets packets = read_packets(input.get(), index);
+  std::vector<int64_t>& stamps = packets.stamps;
   std::sort(stamps.begin(), stamps.end());  // frames are stored in the order of decoding
   if (std::adjacent_find(stamps.begin(), stamps.end()) != stamps.end()) return result;
   for (const int64_t stamp : stamps)
     result.seconds.push_back(double(stamp - stamps.front()) * av_q2d(stream.time_base));
+  if (listed > 0 && listed == stream.nb_frames) result.missing = missing_entries(stream, packets.positions);
+  result.is_complete = int64_t(stamps.size() + result.missing.size()) == stream.nb_frames;
   return result;
 }
 

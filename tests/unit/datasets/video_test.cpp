@@ -2,6 +2,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "edgevo/core/bad_frame.h"
 #include "edgevo/datasets/open_source.h"
 #include "unit/datasets/temp_sequence.h"
 #include "unit/datasets/varying_video.h"
@@ -65,6 +66,78 @@ TEST_F(Video, ATruncatedFileIsReported) {
   test::write_text(options_.path, bytes.substr(0, bytes.size() * 2 / 3));
   const auto source = open_source(options_);
   EXPECT_GT(test::frames_before_error(*source, "the video is damaged"), 5);
+}
+
+// Overwrites a share of the file with zeros.
+void zero(const std::string& path, double from, double to) {
+  std::string bytes = test::read_text(path);
+  const size_t begin = size_t(from * double(bytes.size())), end = size_t(to * double(bytes.size()));
+  std::fill(bytes.begin() + long(begin), bytes.begin() + long(end), '\0');
+  test::write_text(path, bytes);
+}
+
+// What a damaged video of `write_video` gives: frames that do not decode keep their numbers and times, and
+// those after them theirs. At the ends of the damage, part of a frame may decode.
+int check_bad_frames(ImageSource& source, int count) {
+  int bad = 0, other = 0;
+  for (int i = 0; i < count; ++i) try {
+      const auto frame = source.next();
+      EXPECT_TRUE(frame) << i;
+      if (!frame) return -1;
+      EXPECT_EQ(frame->index, i);
+      other += std::abs(frame->image.pixels[100] - 5 * i) > 12;
+    } catch (const BadFrame& e) {
+      EXPECT_EQ(e.index(), i);
+      EXPECT_EQ(e.time().ticks, i * 500000);
+      EXPECT_THAT(e.what(), ::testing::HasSubstr("frame " + std::to_string(i) + ": the image does not decode"));
+      ++bad;
+    }
+  EXPECT_FALSE(source.next());
+  EXPECT_LE(other, 2);
+  return bad;
+}
+
+void write_slowly_brightening(const std::string& path, const char (&code)[5], int count) {
+  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]), 20,
+                         cv::Size(48, 32), true);
+  ASSERT_TRUE(writer.isOpened());
+  for (int i = 0; i < count; ++i) {
+    cv::Mat frame(32, 48, CV_8UC3, cv::Scalar::all(5 * i));
+    cv::randu(frame.rowRange(16, 32), 0, 256);
+    writer.write(frame);
+  }
+}
+
+// AVI: FFmpeg goes on with the next chunk and counts on as if there were no hole.
+TEST_F(Video, FramesOfAHoleAreBadOnes) {
+  write_slowly_brightening(options_.path, "FFV1", 40);
+  zero(options_.path, 0.5, 0.55);
+  EXPECT_GT(check_bad_frames(*open_source(options_), 40), 1);
+  options_.every = 4;
+  const auto thinned = open_source(options_);
+  for (int i = 0; i < 20; i += 4) EXPECT_EQ(thinned->next()->index, i);
+}
+
+// MP4: OpenCV ends at the first packet that is not a frame.
+TEST_F(Video, FramesAfterOneThatDoesNotDecodeAreRead) {
+  options_.path = folder_ / "clip.mp4";
+  write_slowly_brightening(options_.path, "mp4v", 40);
+  zero(options_.path, 0.3, 0.45);
+  EXPECT_GT(check_bad_frames(*open_source(options_), 40), 1);
+}
+
+// The last ones, too: a file that lists its frames is believed.
+TEST_F(Video, TheLastFrameThatDoesNotDecodeIsABadOne) {
+  options_.path = folder_ / "clip.mp4";
+  write_slowly_brightening(options_.path, "mp4v", 40);
+  std::string bytes = test::read_text(options_.path);
+  const size_t moov = bytes.find("moov");
+  std::fill(bytes.begin() + long(moov) - 40, bytes.begin() + long(moov) - 4, '\0');
+  const size_t last = bytes.rfind(std::string("\0\0\1\xb6", 4), moov);
+  ASSERT_NE(last, std::string::npos);
+  std::fill(bytes.begin() + long(last), bytes.begin() + long(moov) - 4, '\0');
+  test::write_text(options_.path, bytes);
+  EXPECT_EQ(check_bad_frames(*open_source(options_), 40), 1);
 }
 
 // Sets the matrix of the track header, as a telephone does that is held upright or upside down.
@@ -140,6 +213,16 @@ TEST_F(Video, ATruncatedTransportStreamIsReported) {
   test::write_text(options_.path, bytes.substr(0, bytes.size() * 2 / 3 / 188 * 188 + 100));
   const auto source = open_source(options_);
   EXPECT_LT(test::frames_before_error(*source, "is cut short: it ends within a packet"), int(frames));
+}
+
+// A hole in Matroska ends it, and the stamps before it may vary.
+TEST_F(Video, OfVaryingRateThatEndsEarlyIsInDoubt) {
+  write_video(options_.path, 40);
+  options_.path = folder_ / "varying.mkv";
+  test::write_varying_video(folder_ / "clip.avi", options_.path, [](int i) { return i < 10 ? i : 3 * i - 20; });
+  EXPECT_EQ(open_source(options_)->decisions().at(0).doubt, "");
+  zero(options_.path, 0.6, 0.95);
+  EXPECT_THAT(open_source(options_)->decisions().at(0).doubt, ::testing::HasSubstr("the video may be damaged"));
 }
 
 // A phone that drops to a third of its rate in bad light. OpenCV writes a constant rate only: two videos of
