@@ -119,6 +119,17 @@ std::optional<InputDecision> clock_decision(const std::vector<Timestamp>& times)
                        "in frames.csv); correct the times for an exact synchronisation"};
 }
 
+// A list that runs backwards: a run would skip all but one frame.
+std::optional<InputDecision> backwards_decision(const std::vector<Timestamp>& times) {
+  size_t falls = 0;
+  for (size_t i = 1; i < times.size(); ++i) falls += times[i] < times[i - 1];
+  if (times.size() < 3 || 2 * falls < times.size()) return std::nullopt;
+  return InputDecision{"order", "backwards",
+                       "the times of " + std::to_string(falls) + " of " + std::to_string(times.size()) +
+                           " frames are before that of the frame before",
+                       "frames whose time does not increase are skipped; turn the list round"};
+}
+
 std::optional<InputDecision> pause_decision(const std::vector<Timestamp>& times) {
   constexpr double kShortest_s = 1, kSteps = 10;
   std::vector<double> steps;
@@ -141,6 +152,7 @@ std::optional<InputDecision> pause_decision(const std::vector<Timestamp>& times)
 std::vector<InputDecision> time_decisions(const std::vector<Timestamp>& times) {
   std::vector<InputDecision> decisions;
   if (auto clock = clock_decision(times)) decisions.push_back(std::move(*clock));
+  if (auto backwards = backwards_decision(fill_missing(times))) decisions.push_back(std::move(*backwards));
   if (auto pause = pause_decision(fill_missing(times))) decisions.push_back(std::move(*pause));
   return decisions;
 }

@@ -53,12 +53,11 @@ void describe_camera(const ImageSource& source, Lines* lines) {
 
 void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* lines) {
   constexpr double kGap = 2.5;  // median steps: a single missing frame is not a gap
-  int gaps = 0, backwards = 0;
+  int gaps = 0;
   double longest = 0;
-  size_t where = 0, first_backwards = 0;
+  size_t where = 0;
   for (size_t i = 1; i < times.size(); ++i) {
     const double step = seconds_between(times[i - 1], times[i]);
-    if (step <= 0 && backwards++ == 0) first_backwards = i;
     if (step <= kGap * median) continue;
     ++gaps;
     if (step > longest) longest = step, where = i;
@@ -67,10 +66,17 @@ void describe_gaps(const std::vector<Timestamp>& times, double median, Lines* li
                                           ? "none"
                                           : std::to_string(gaps) + "; the longest is " + fixed(longest, 3) +
                                                 " s, before frame " + std::to_string(where));
-  if (backwards > 0)
-    lines->emplace_back("wrong times", std::to_string(backwards) +
+}
+
+void describe_wrong_times(const std::vector<Timestamp>& times, Lines* lines) {
+  int wrong = 0;
+  size_t first = 0;
+  for (size_t i = 1; i < times.size(); ++i)
+    if (!(times[i - 1] < times[i]) && wrong++ == 0) first = i;
+  if (wrong > 0)
+    lines->emplace_back("wrong times", std::to_string(wrong) +
                                            " frames are not after the one before; the first is frame " +
-                                           std::to_string(first_backwards));
+                                           std::to_string(first));
 }
 
 void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
@@ -87,6 +93,7 @@ void describe_times(const std::vector<Timestamp>& times, Lines* lines) {
   if (usual > 0)
     lines->emplace_back("rate", fixed(1.0 / usual, 2) + " Hz (median step " + fixed(1e3 * usual, 2) + " ms)");
   if (usual > 0) describe_gaps(times, usual, lines);
+  describe_wrong_times(times, lines);
 }
 
 std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {

@@ -127,6 +127,19 @@ TEST(TimeOrder, APauseInWhichTheViewMayChangeIsSaid) {
   EXPECT_FALSE(decisions[0].doubt.empty());
 }
 
+TEST(TimeOrder, AListThatRunsBackwardsIsSaid) {
+  std::vector<Timestamp> backwards, upset;
+  for (int k = 0; k < 20; ++k) {
+    backwards.push_back(at(5 - 0.1 * k));
+    upset.push_back(at(0.1 * k + (k % 4 == 3 ? -0.2 : 0)));
+  }
+  const auto decisions = time_decisions(backwards);
+  ASSERT_EQ(decisions.size(), 1u);
+  EXPECT_EQ(decisions[0].subject, "order");
+  EXPECT_FALSE(decisions[0].doubt.empty());
+  EXPECT_THAT(time_decisions(upset), IsEmpty()) << "single frames";
+}
+
 TEST(TimeOrder, AClockMayBeSetBackAgain) {
   std::vector<Timestamp> stated;
   for (int k = 0; k < 60; ++k) stated.push_back(at(100 + 0.1 * k - 30 * (k / 20)));

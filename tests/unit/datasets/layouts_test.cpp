@@ -261,6 +261,17 @@ TEST(DescribeSource, SaysWhatIsThere) {
   EXPECT_THAT(lines["duration"], HasSubstr("1.300 s"));
 }
 
+TEST(DescribeSource, SaysThatAListRunsBackwards) {
+  TempFolder folder;
+  test::write_edgevo_layout(folder.path(), 5);
+  write_text(folder / "times.txt", "1.3\n1.2\n0.2\n0.1\n0\n");
+  std::map<std::string, std::string> lines;
+  for (const auto& [name, value] : describe(*open_source(source(folder.path())))) lines[name] = value;
+  EXPECT_EQ(lines["wrong times"], "4 frames are not after the one before; the first is frame 1");
+  EXPECT_THAT(lines["order"], HasSubstr("backwards"));
+  EXPECT_THAT(lines["WARNING"], HasSubstr("turn the list round"));
+}
+
 TEST(DescribeSource, FieldOfViewOfAPinhole) {
   const Camera camera{{100, 100, 99.5, 49.5, 200, 100}, {}};
   const auto [horizontal, vertical] = field_of_view_deg(camera);

@@ -59,8 +59,9 @@ class TimeOrder {
 /// `times` with the time before it, or the first one there is, for each that is missing; for statistics.
 std::vector<Timestamp> fill_missing(std::vector<Timestamp> times);
 
-/// What checking all times of a source finds: a clock that was set back ("clock"), and pauses of a second and
-/// ten median steps at least, in which a camera that moves leaves its map ("pauses").
+/// What checking all times of a source finds: a clock that was set back ("clock"), half the times or more
+/// before the time before them ("order"), and pauses of a second and ten median steps at least, in which a
+/// camera that moves leaves its map ("pauses").
 std::vector<InputDecision> time_decisions(const std::vector<Timestamp>& times);
 
 }  // namespace edgevo
