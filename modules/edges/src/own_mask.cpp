@@ -15,14 +15,24 @@ namespace edgevo {
 
 namespace {
 
-// Whether one size is the other one times a scale, to the rounding to whole pixels.
+// Whether the smaller size is the other one times a scale, with sides rounded up or down to whole pixels.
 bool is_same_shape(const cv::Size& a, const cv::Size& b) {
-  if (a == b) return true;
-  if (a.width == b.width || a.height == b.height) return false;
   const cv::Size& large = a.width > b.width ? a : b;
-  const double across = double(std::min(a.width, b.width)) / large.width,
-               down = double(std::min(a.height, b.height)) / large.height;
-  return std::abs(across - down) <= 0.5 / large.width + 0.5 / large.height;
+  const cv::Size& small = a.width > b.width ? b : a;
+  if (small.height > large.height) return false;
+  const double across = double(small.width) / large.width, down = double(small.height) / large.height;
+  return std::abs(across - down) <= 1.0 / large.width + 1.0 / large.height;
+}
+
+// Whether transparency, which is not read, may be what the mask was drawn with.
+bool has_alpha_drawing(const std::string& path) {
+  const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
+  if (image.channels() != 4) return false;
+  cv::Mat alpha;
+  cv::extractChannel(image, alpha, 3);
+  double least = 0, most = 0;
+  cv::minMaxLoc(alpha, &least, &most);
+  return least < most;
 }
 
 }  // namespace
@@ -49,7 +59,9 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   const int black = cv::countNonZero(as_mat(mask));
   if (black == 0 || black == width * height)
     throw InputError(path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
-                     "paint black what is to give no edges, and nothing else");
+                     has_alpha_drawing(path)
+                         ? "its transparency is not read: fill it with white, and paint black what is to give no edges"
+                         : "paint black what is to give no edges, and nothing else");
   return mask;
 }
 

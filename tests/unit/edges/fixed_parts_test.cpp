@@ -253,6 +253,44 @@ TEST(ReadMask, ScalesOneOfTheSameShape) {
   }
 }
 
+// Programs round sides up, down or to the nearest pixel.
+TEST(ReadMask, ScalesHoweverTheSidesWereRounded) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto accepts = [&](const cv::Size& mask, const cv::Size& images) {
+    cv::Mat half(mask, CV_8U, cv::Scalar(255));
+    half.rowRange(0, mask.height / 2) = 0;
+    cv::imwrite(path, half);
+    EXPECT_EQ(read_mask(path, images.width, images.height).at(5, 5), 255) << mask << images;
+  };
+  for (const int width : {620, 621})
+    for (const int height : {188, 189}) {
+      accepts({width, height}, {1241, 377});
+      accepts({width, height}, {621, 189});
+      accepts({1241, 377}, {width, height});
+    }
+  accepts({620, 188}, {621, 188});
+}
+
+TEST(ReadMask, SaysThatTransparencyIsNotRead) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto message = [&](const cv::Scalar& colour) -> std::string {
+    cv::Mat drawn(kPartHeight, kPartWidth, CV_8UC4, colour);
+    drawn.rowRange(0, 40) = cv::Scalar(colour[0], colour[1], colour[2], 0);
+    cv::imwrite(path, drawn);
+    try {
+      read_mask(path, kPartWidth, kPartHeight);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({0, 0, 0, 255}).find("its transparency is not read"), std::string::npos);
+  EXPECT_NE(message({255, 255, 255, 255}).find("its transparency is not read"), std::string::npos);
+  EXPECT_EQ(message({255, 255, 255, 0}).find("transparency"), std::string::npos);
+}
+
 TEST(ReadMask, RefusesAnotherShapeAndMasksOfNothingOrEverything) {
   const test::TempFolder folder;
   const std::string path = folder.path() + "/mask.png";
@@ -260,7 +298,7 @@ TEST(ReadMask, RefusesAnotherShapeAndMasksOfNothingOrEverything) {
     cv::imwrite(path, mask);
     EXPECT_THROW(read_mask(path, kPartWidth, kPartHeight), InputError);
   };
-  cv::Mat other(kPartHeight, kPartWidth + 1, CV_8U, cv::Scalar(255));
+  cv::Mat other(kPartHeight, kPartWidth + 4, CV_8U, cv::Scalar(255));
   other.at<uint8_t>(0, 0) = 0;
   refuses(other);
   refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255)));
