@@ -67,6 +67,9 @@ int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const 
   if (args.frames_total > 0) options.frames_total = args.frames_total;
   options.stated_noise = {args.truth_sigma_m, args.truth_sigma_deg * M_PI / 180};
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
+  if (args.truth_sigma_m > 0 || args.truth_sigma_deg > 0)
+    throw InputError(args.trajectory, "is no folder of a run: --truth-sigma-... is for its single frames",
+                     "give the folder, or omit --truth-sigma-m and --truth-sigma-deg");
   if (args.ground_truth.empty())
     throw InputError("GROUNDTRUTH", "is missing", "give the true trajectory after the estimated one");
   if (!args.more_runs.empty())

@@ -40,6 +40,7 @@ check "frames evaluated, live and final" "$(awk '($1 == "live" || $1 == "final")
 run_code 0 "$edgevo" eval $out "$scenes/runs/desk"
 check "rows of two runs and of both" "$(grep -c "^$out \|/runs/desk \|^all " stdout)" -eq 3
 complains "GROUNDTRUTH: is missing" "$edgevo" eval $out/trajectory_tum.txt
+complains "is no folder of a run" "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt" --truth-sigma-m 0.1
 
 # summary.yaml: counts, and the effective parameters, which can be read again.
 value() { sed -n "/^$1:/,/^[a-z]/s/^  $2: *//p" $out/summary.yaml; }

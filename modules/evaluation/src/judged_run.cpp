@@ -33,7 +33,7 @@ std::optional<double> weighted_median(Step first, Step last) {
 
 JudgedRun::JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth,
                      const TruthNoise& stated)
-    : claims_(claims), noise_(larger_noise(truth_noise(truth), stated)) {
+    : claims_(claims), shown_noise_(truth_noise(truth)), noise_(larger_noise(shown_noise_, stated)) {
   const GroundTruth at(truth);
   for (const ClaimedFrame& c : claims) truth_.push_back(at.at(c.time));
   find_segments();
@@ -74,7 +74,7 @@ void JudgedRun::find_standing() {
     int& from = first[size_t(segment(i))];
     if (from < 0) from = i;
     const double moved = true_motion(from, i).translation().norm();
-    if (moved > kNoiseSigmas * kOfTwo * noise_.position_m) stands_[size_t(segment(i))] = false;
+    if (moved > kNoiseSigmas * kOfTwo * shown_noise_.position_m) stands_[size_t(segment(i))] = false;
   }
 }
 

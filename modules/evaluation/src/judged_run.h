@@ -42,7 +42,8 @@ class JudgedRun {
   /// Median depth at a frame with a pose, unit of the run: that of the nearest frame before it in the segment
   /// that has one, else after; NaN: the segment has none.
   double depth(int i) const { return depth_[size_t(i)]; }
-  /// Whether the true positions of a segment differ by no more than the noise.
+  /// Whether the true positions of a segment differ by no more than the noise that they show: what a larger
+  /// stated noise hides may be a motion.
   bool stands(int segment) const { return stands_[size_t(segment)]; }
 
  private:
@@ -51,7 +52,7 @@ class JudgedRun {
   void find_standing();
 
   const std::vector<ClaimedFrame>& claims_;
-  TruthNoise noise_;
+  TruthNoise shown_noise_, noise_;
   std::vector<std::optional<SE3>> truth_;
   std::vector<int> segment_;
   std::vector<double> depth_;

@@ -97,11 +97,19 @@ std::string layout(const std::vector<Row>& rows) {
   return text;
 }
 
+// Two digits, without an exponent.
+std::string rounded(double value) { return number(value, value < 99.5 ? "%.2g" : "%.0f"); }
+
 std::string judgement_text(const TrajectoryEvaluation& e) {
   if (e.judgement.empty()) return {};
+  const JudgementFigures& first = e.judgement.front().figures;
+  const std::string hidden = first.below_noise == 0 ? ""
+                                                    : ", which hides " + std::to_string(first.below_noise) +
+                                                          " of " + std::to_string(first.frames) + " frames";
   return "\nsingle frames: the motion over the next ten; noise of the ground truth " +
-         number(1000 * e.truth_noise.position_m, "%.2g") + " mm, " +
-         number(e.truth_noise.rotation_rad * 180 / M_PI, "%.2g") + " deg\n" + judgement_table(e.judgement);
+         rounded(1000 * e.truth_noise.position_m) + " mm, " +
+         rounded(e.truth_noise.rotation_rad * 180 / M_PI) + " deg" + hidden + "\n" +
+         judgement_table(e.judgement);
 }
 
 std::string describe(const TrajectoryFacts& t) {

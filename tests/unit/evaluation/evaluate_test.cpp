@@ -114,6 +114,16 @@ TEST(EvaluationReport, TableStatesAlignmentUnitAndCount) {
     EXPECT_THAT(table, HasSubstr(text));
 }
 
+TEST(EvaluationReport, SaysHowManyFramesTheNoiseOfTheTruthHides) {
+  TrajectoryEvaluation e = noisy_evaluation();
+  JudgementFigures figures;
+  figures.frames = 300;
+  figures.below_noise = 120;
+  e.judgement = {{"live", figures}};
+  e.truth_noise = {0.25, 0.02 * M_PI / 180};
+  EXPECT_THAT(to_table(e), HasSubstr("noise of the ground truth 250 mm, 0.02 deg, which hides 120 of 300 frames\n"));
+}
+
 TEST(EvaluationReport, PathsThatAreNotUtf8DoNotBreakJson) {
   Trajectory t = test::winding_drive(20);
   t.path = "caf\xe9.txt";

@@ -279,5 +279,15 @@ TEST(FrameJudge, AStatedNoiseOfTheTruthIsNoErrorOfTheRun) {
   EXPECT_LT(mean_nees(stated), 8);
 }
 
+// It hides whether the camera stands: no motion of the run is wrong then.
+TEST(FrameJudge, AStatedNoiseAboveTheWholePathLeavesNothingToEvaluate) {
+  const MadeRun made = made_run(winding_drive(200));
+  JudgementRules rules;
+  rules.stated_noise.position_m = 1000;
+  const RunJudgement j = judge_frames(made.claims, made.truth, rules);
+  EXPECT_EQ(judged_frames(j), 0);
+  EXPECT_EQ(wrong_frames(j), 0);
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -17,8 +17,8 @@
 // that stands keeps its scale. A segment has a unit of its own. Its first frames, with fewer than ten steps
 // before them, are measured in the scale of its first ten steps: nobody can be wrong about a unit that has
 // just been chosen, but the shape of the path must be right. Without any step the translation is evaluated
-// only if the truth stands throughout the segment: what the run moves is then its error, in shares of the
-// median depth.
+// only if the truth stands throughout the segment, to the noise that it shows: what the run moves is then its
+// error, in shares of the median depth.
 //
 // Truth of another body. If a constant rotation (up to 15 degrees) and a lever arm between the camera and
 // what the truth describes (a GPS unit) reduce the median error by a third, and the rotations fit as well as
