@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/run_statistics.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/occupancy/map_size.h"
@@ -98,10 +99,20 @@ Run read_map(const MapArguments& args) {
   return run;
 }
 
+void check_not_empty(const MapArguments& args, const Run& run) {
+  const RunCounts n = count(run);
+  if (n.points + n.lines > 0) return;
+  std::error_code ignored;
+  const bool may_help = !args.include_doubtful && fs::exists(fs::path(args.run) / "edges_doubtful.ply", ignored);
+  throw InputError(args.run, "has no point that is certain enough for a map",
+                   may_help ? "add --include-doubtful for those made in doubt" : "run a longer sequence");
+}
+
 int map(const MapArguments& args) {
   MapParams params = params_from(args);
   check_output(args);
   Run run = read_map(args);
+  check_not_empty(args, run);
   if (args.mount) run.T_vehicle_cam = T_vehicle_cam(*args.mount);
   if (const std::string note = coarsen_to_fit(run, free_memory(), &params.occupancy); !note.empty())
     std::fprintf(stderr, "%s\n", note.c_str());

@@ -32,6 +32,7 @@ sequence black 320 240 30
 hopeless black 30
 hopeless black 30 --realtime
 hopeless black 30 --detector edge_drawing
+complains "out: has no point that is certain enough for a map; run a longer sequence" "$edgevo" map out -o map
 sequence dot 1 1 5
 hopeless dot 5
 hopeless dot 5 --detector edge_drawing

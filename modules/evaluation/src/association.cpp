@@ -64,6 +64,9 @@ Association associate(const Trajectory& estimate, const Trajectory& ground_truth
     }
     result.matches.push_back({pose.time, frame, pose.T_world_cam, *T_gt});
   }
+  if (estimate.poses.size() < kFewestMatches)
+    throw InputError(estimate.path, "has only " + std::to_string(estimate.poses.size()) + " pose(s)",
+                     "an evaluation needs " + std::to_string(kFewestMatches));
   if (result.matches.size() < kFewestMatches)
     throw InputError(estimate.path,
                      "only " + std::to_string(result.matches.size()) + " of its " +

@@ -85,7 +85,7 @@ TEST(Evaluate, TwoPosesAreTooFew) {
   Trajectory two = test::winding_drive(20);
   two.poses.resize(2);
   EXPECT_THAT(input_error_of([&] { evaluate(two, test::winding_drive(20), {}); }),
-              HasSubstr("only 2 of its 2 poses"));
+              HasSubstr("has only 2 pose(s); an evaluation needs 3"));
 }
 
 TEST(EvaluationReport, JsonHoldsTheNumbersOfTheValue) {
