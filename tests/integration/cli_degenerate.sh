@@ -29,6 +29,8 @@ hopeless() {
 }
 
 sequence black 320 240 30
+"$edgevo" run black -o out >both 2>&1
+check "the reason is the last line of a log" "$(tail -n 1 both | grep -c '^edgevo: tracking failed for most of')" -eq 1
 hopeless black 30
 hopeless black 30 --realtime
 hopeless black 30 --detector edge_drawing
