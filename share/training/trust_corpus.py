@@ -267,6 +267,18 @@ def is_wanted(job, patterns):
     return not patterns or any(fnmatch.fnmatchcase(f'{name}.{variant}.{seed}', p) for p in patterns)
 
 
+def check(args, jobs):
+    """Ends the program where nothing could be made."""
+    if not shutil.which(args.edgevo):
+        sys.exit(f'{args.edgevo}: is no program; build it, and give its path')
+    if not jobs:
+        sys.exit('--only: matches no run of these tiers; --list prints their names')
+    if not args.cases and all(name in CASES for _, name, _, _, _ in jobs):
+        sys.exit('--only: these runs need the folder of --cases')
+    if any(is_real and name not in CASES for _, name, _, is_real, _ in jobs) and not os.path.isdir(args.data):
+        sys.exit(f'{args.data}: is no folder; see datasets/README.md for the sequences')
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument('edgevo')
@@ -280,13 +292,14 @@ def main():
     parser.add_argument('--list', action='store_true', help='print the runs and end')
     parser.add_argument('--prepare', action='store_true', help='make the changed sequences only')
     args = parser.parse_args()
-    data = f'{args.out}/data'
-    os.makedirs(data, exist_ok=True)
     jobs = [j for j in plan(args.tier) if is_wanted(j, args.only)]
     if args.list:
         for tier, name, camera, _, (_, variant, _, _, seed) in jobs:
             print(tier, name, variant, seed, camera)
         return
+    check(args, jobs)
+    data = f'{args.out}/data'
+    os.makedirs(data, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
         made = pool.map(lambda job: make(args, data, job), jobs)
         with open(f'{args.out}/runs.txt', 'w') as file:
