@@ -29,6 +29,8 @@ holds libedgevo-dev "lib/.*libedgevo_odometry.a"
 holds libedgevo-dev include/edgevo/odometry/odometry.h
 holds libedgevo-dev "lib/.*edgevoConfig.cmake"
 holds edgevo-doc share/doc/edgevo/modules/mapping/README.md
+mkdir doc && dpkg-deb --fsys-tarfile $(deb edgevo-doc) | tar xC doc
+check "links between pages that lead nowhere" "$("$here/../links.sh" doc/usr/share/doc/edgevo | grep -c ': [^ ]*\.md[^ ]*: ')" -eq 0
 if [ -d "$build/manuals" ]; then
   holds edgevo "share/man/man1/edgevo-run.1.gz"
   holds edgevo share/bash-completion/completions/edgevo
