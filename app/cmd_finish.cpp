@@ -26,7 +26,7 @@ int finish(const std::string& out, const RecoveryOptions& options) {
             ") is kept; restore it from a copy and finish again, or run the sequence again with --force");
   if (!run.scale.problem.empty())
     throw InputError(out, "the results are in an arbitrary unit", run.scale.problem);
-  return 0;
+  return print_failure(run, out);
 }
 
 }  // namespace
@@ -42,6 +42,7 @@ void add_finish_command(CLI::App& app, Action* action) {
       ->add_option("--resolution", options->resolution,
                    "size of voxels and cells, unit of the run (default: that of the run)")
       ->check(positive_number());
+  command->footer("The exit code is that of a run that ended there.");
   command->callback([=] { *action = [=] { return finish(*out, *options); }; });
 }
 

@@ -216,18 +216,6 @@ void print_end(const RunResult& result) {
                 result.first_skipped.c_str());
 }
 
-void print_failure(const RunArguments& args, const Run& run, const RunOutputs& outputs) {
-  const RunCounts n = count(run);
-  const std::string earlier = outputs.earlier_run(), reason = commonest_doubt(run);
-  const std::string what = n.mostly_failed()
-                               ? "tracking failed for most of " + args.source.path
-                               : std::to_string(n.doubtful_poses()) + " of " + std::to_string(n.with_pose) +
-                                     " poses of " + args.source.path + " are doubtful";
-  std::fprintf(stderr, "edgevo: %s; mostly: %s%s\n", what.c_str(),
-               reason.empty() ? "no reason was noted" : reason.c_str(),
-               earlier.empty() ? "" : ("; the earlier run is kept in " + earlier).c_str());
-}
-
 // A run whose results are on disk, in the recovery log.
 int end_forgotten(const RunArguments& args, const RunResult& result, const FramesDone& done,
                   RunOutputs* outputs, TraceFile* trace) {
@@ -296,9 +284,7 @@ int run(const RunArguments& given) {
   if (result.broken) std::rethrow_exception(result.broken);
   if (!tracked.scale.problem.empty())
     throw InputError(args.out, "the results are in an arbitrary unit", tracked.scale.problem);
-  if (const RunCounts n = count(tracked); !n.mostly_failed() && !n.is_largely_doubtful()) return kDone;
-  print_failure(args, tracked, outputs);
-  return kMostlyFailed;
+  return print_failure(tracked, args.source.path, outputs.earlier_run());
 }
 
 }  // namespace

@@ -41,4 +41,19 @@ void print_run(const Run& run, const std::string& out, bool include_doubtful) {
   std::printf("results in %s (listed in summary.yaml)\n", out.c_str());
 }
 
+int print_failure(const Run& run, const std::string& what, const std::string& earlier) {
+  constexpr int kDone = 0, kMostlyFailed = 3;
+  const RunCounts n = count(run);
+  if (!n.mostly_failed() && !n.is_largely_doubtful()) return kDone;
+  const std::string reason = commonest_doubt(run);
+  const std::string problem = n.mostly_failed()
+                                  ? "tracking failed for most of " + what
+                                  : std::to_string(n.doubtful_poses()) + " of " +
+                                        std::to_string(n.with_pose) + " poses of " + what + " are doubtful";
+  std::fprintf(stderr, "edgevo: %s; mostly: %s%s\n", problem.c_str(),
+               reason.empty() ? "no reason was noted" : reason.c_str(),
+               earlier.empty() ? "" : ("; the earlier run is kept in " + earlier).c_str());
+  return kMostlyFailed;
+}
+
 }  // namespace edgevo::app

@@ -34,6 +34,9 @@ check "the reason is the last line of a log" "$(tail -n 1 both | grep -c '^edgev
 hopeless black 30
 hopeless black 30 --realtime
 hopeless black 30 --detector edge_drawing
+run_code 3 "$edgevo" run black -o forgotten --forget --quiet
+run_code 3 "$edgevo" finish forgotten
+check "the reason, from finish" "$(grep -c '^edgevo: tracking failed for most of forgotten; mostly: .' stderr)" -eq 1
 complains "out: has no point that is certain enough for a map; run a longer sequence" "$edgevo" map out -o map
 sequence dot 1 1 5
 hopeless dot 5

@@ -70,8 +70,10 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   if (recovered.is_damaged)
     info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
                                                 " frames that it holds could not be recovered");
-  RunOutputs outputs(folder, header.info.camera, params.map,
-                     OutputOptions{true, false, options.include_doubtful});
+  OutputOptions output_options;
+  output_options.force = true;
+  output_options.include_doubtful = options.include_doubtful;
+  RunOutputs outputs(folder, header.info.camera, params.map, output_options);
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();

@@ -83,7 +83,9 @@ TEST_F(EarlierRuns, AFolderWithOtherFilesIsRefused) {
   EXPECT_THAT(message_of([&] { write(folder_, made_.run, made_.camera); }),
               HasSubstr("contains other files already (summary.yaml, ...); give another -o, or --force"));
   EXPECT_THAT(names_in(folder_.string()), ElementsAre("summary.yaml", "thesis.tex"));
-  RunOutputs forced(folder_.string(), made_.camera, {}, OutputOptions{true, false});
+  OutputOptions options;
+  options.force = true;
+  RunOutputs forced(folder_.string(), made_.camera, {}, options);
   forced.finish(made_.run, {});
   EXPECT_EQ(content(folder_ / "thesis.tex"), "years");
 }

@@ -8,6 +8,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
+#include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_params.h"
 #include "recovered_run.h"
@@ -26,12 +27,15 @@ class InterruptedRuns : public WrittenRun {
  protected:
   // Images and recovery log of the first frames, as a killed program leaves them.
   void leave_a_run(const std::string& scale = "none", size_t frames = 40) const {
+    leave(events_, scale, frames);
+  }
+  void leave(const test::MadeEvents& events, const std::string& scale, size_t frames) const {
     fs::create_directories(folder_);
     RecoveryLog log(folder_.string(), header(scale));
     PlaybackWriter playback(folder_.string(), made_.camera);
     for (size_t i = 0; i < frames; ++i) {
       playback.add_frame(test::synthetic_frame(made_.camera, made_.run.frames[i]));
-      log.add(events_.frames()[i]);
+      log.add(events.frames()[i]);
     }
   }
 
@@ -115,6 +119,22 @@ TEST_F(InterruptedRuns, TheResolutionOfTheirMapsCanBeChosen) {
   options.resolution = 0.5;
   recover_run(folder_.string(), options);
   EXPECT_THAT(content(folder_ / "grid.yaml"), HasSubstr("resolution: 0.5"));
+}
+
+TEST_F(InterruptedRuns, PointsOfDoubtfulKeyframesAreIncludedOnRequest) {
+  test::SyntheticRun made = made_;
+  made.run.keyframes.front().is_doubtful = true;
+  const auto points = [&](bool include) {
+    fs::remove_all(folder_);
+    leave(test::MadeEvents(made), "none", 40);
+    RecoveryOptions options;
+    options.include_doubtful = include;
+    recover_run(folder_.string(), options);
+    EXPECT_EQ(fs::exists(folder_ / "edges_doubtful.ply"), !include);
+    return read_edge_ply((folder_ / "edges.ply").string()).keyframes[0].points.size();
+  };
+  EXPECT_EQ(points(false), 0u);
+  EXPECT_GT(points(true), 0u);
 }
 
 TEST_F(InterruptedRuns, TheNextRunMayReplaceIt) {
