@@ -103,7 +103,8 @@ void check_not_empty(const MapArguments& args, const Run& run) {
   const RunCounts n = count(run);
   if (n.points + n.lines > 0) return;
   std::error_code ignored;
-  const bool may_help = !args.include_doubtful && fs::exists(fs::path(args.run) / "edges_doubtful.ply", ignored);
+  const bool may_help =
+      !args.include_doubtful && fs::exists(fs::path(args.run) / "edges_doubtful.ply", ignored);
   throw InputError(args.run, "has no point that is certain enough for a map",
                    may_help ? "add --include-doubtful for those made in doubt" : "run a longer sequence");
 }

@@ -92,7 +92,8 @@ int run(const Words& words) {
 }  // namespace edgevo::app
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines in their order, also where stderr goes to the same file
+  std::setvbuf(stdout, nullptr, _IOLBF,
+               BUFSIZ);  // lines in their order, also where stderr goes to the same file
   using namespace edgevo::app;
   try {
     return end_of_output(run(Words(argv, argv + argc)));

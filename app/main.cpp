@@ -28,7 +28,8 @@ int report(const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines in their order, also where stderr goes to the same file
+  std::setvbuf(stdout, nullptr, _IOLBF,
+               BUFSIZ);  // lines in their order, also where stderr goes to the same file
   CLI::App app(
       "Monocular edge visual odometry: computes a trajectory and an edge map from the images of one moving "
       "camera.");

@@ -96,9 +96,9 @@ std::string doubt_of_end(const std::vector<double>& stamps, double stated_s) {
          " s: the video may be damaged; convert it again";
 }
 
-// cv::VideoCapture reports the end of a video and damaged data alike: grab() is false. After a frame that does
-// not decode it goes on with the next one. A video that ends well before its own frame count is reported as
-// damaged; since counts are estimates, a few missing frames are not, unless its index lists them.
+// cv::VideoCapture reports the end of a video and damaged data alike: grab() is false. After a frame that
+// does not decode it goes on with the next one. A video that ends well before its own frame count is reported
+// as damaged; since counts are estimates, a few missing frames are not, unless its index lists them.
 class VideoSource : public ImageSource {
  public:
   VideoSource(const SourceOptions& options, cv::VideoCapture capture)
@@ -141,7 +141,7 @@ class VideoSource : public ImageSource {
     }
   }
   bool skip() override {
-    if (!is_grabbed_ && bad_ == 0 && !done_) look_ahead();
+    if (!is_grabbed_ && bad_ == 0 && !done_) grab_next();
     is_bad_ = bad_ > 0;
     if (is_bad_)
       --bad_;
@@ -155,7 +155,7 @@ class VideoSource : public ImageSource {
 
  private:
   // Grabs the next frame that decodes, and counts those before it that do not.
-  void look_ahead() {
+  void grab_next() {
     for (int i = index_; !is_grabbed_ && !done_; ++i) {
       if (std::binary_search(missing_.begin(), missing_.end(), i))
         ++bad_;

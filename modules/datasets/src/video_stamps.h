@@ -11,8 +11,9 @@ struct VideoStamps {
   /// Seconds since the first frame, in the order in which the frames are shown; empty if the container holds
   /// none that increase.
   std::vector<double> seconds;
-  /// Numbers, from 0, of frames that the file's index lists but whose data is not where it says, although that
-  /// of a later one is: the file is damaged amid. Increasing. AVI loses such frames without a gap in `seconds`.
+  /// Numbers, from 0, of frames that the file's index lists but whose data is not where it says, although
+  /// that of a later one is: the file is damaged amid. Increasing. AVI loses such frames without a gap in
+  /// `seconds`.
   std::vector<int> missing;
   /// Whether the index lists every frame: `seconds` and `missing` together are all of them.
   bool is_complete = false;

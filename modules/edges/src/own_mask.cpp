@@ -58,10 +58,11 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   cv::Mat(share > 0).copyTo(as_mat(mask));
   const int black = cv::countNonZero(as_mat(mask));
   if (black == 0 || black == width * height)
-    throw InputError(path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
-                     has_alpha_drawing(path)
-                         ? "its transparency is not read: fill it with white, and paint black what is to give no edges"
-                         : "paint black what is to give no edges, and nothing else");
+    throw InputError(
+        path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
+        has_alpha_drawing(path)
+            ? "its transparency is not read: fill it with white, and paint black what is to give no edges"
+            : "paint black what is to give no edges, and nothing else");
   return mask;
 }
 

@@ -89,7 +89,8 @@ int check_bad_frames(ImageSource& source, int count) {
     } catch (const BadFrame& e) {
       EXPECT_EQ(e.index(), i);
       EXPECT_EQ(e.time().ticks, i * 500000);
-      EXPECT_THAT(e.what(), ::testing::HasSubstr("frame " + std::to_string(i) + ": the image does not decode"));
+      EXPECT_THAT(e.what(),
+                  ::testing::HasSubstr("frame " + std::to_string(i) + ": the image does not decode"));
       ++bad;
     }
   EXPECT_FALSE(source.next());
@@ -98,8 +99,8 @@ int check_bad_frames(ImageSource& source, int count) {
 }
 
 void write_slowly_brightening(const std::string& path, const char (&code)[5], int count) {
-  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]), 20,
-                         cv::Size(48, 32), true);
+  cv::VideoWriter writer(path, cv::CAP_FFMPEG, cv::VideoWriter::fourcc(code[0], code[1], code[2], code[3]),
+                         20, cv::Size(48, 32), true);
   ASSERT_TRUE(writer.isOpened());
   for (int i = 0; i < count; ++i) {
     cv::Mat frame(32, 48, CV_8UC3, cv::Scalar::all(5 * i));
@@ -219,10 +220,12 @@ TEST_F(Video, ATruncatedTransportStreamIsReported) {
 TEST_F(Video, OfVaryingRateThatEndsEarlyIsInDoubt) {
   write_video(options_.path, 40);
   options_.path = folder_ / "varying.mkv";
-  test::write_varying_video(folder_ / "clip.avi", options_.path, [](int i) { return i < 10 ? i : 3 * i - 20; });
+  test::write_varying_video(folder_ / "clip.avi", options_.path,
+                            [](int i) { return i < 10 ? i : 3 * i - 20; });
   EXPECT_EQ(open_source(options_)->decisions().at(0).doubt, "");
   zero(options_.path, 0.6, 0.95);
-  EXPECT_THAT(open_source(options_)->decisions().at(0).doubt, ::testing::HasSubstr("the video may be damaged"));
+  EXPECT_THAT(open_source(options_)->decisions().at(0).doubt,
+              ::testing::HasSubstr("the video may be damaged"));
 }
 
 // A phone that drops to a third of its rate in bad light. OpenCV writes a constant rate only: two videos of

@@ -121,7 +121,8 @@ TEST(EvaluationReport, SaysHowManyFramesTheNoiseOfTheTruthHides) {
   figures.below_noise = 120;
   e.judgement = {{"live", figures}};
   e.truth_noise = {0.25, 0.02 * M_PI / 180};
-  EXPECT_THAT(to_table(e), HasSubstr("noise of the ground truth 250 mm, 0.02 deg, which hides 120 of 300 frames\n"));
+  EXPECT_THAT(to_table(e),
+              HasSubstr("noise of the ground truth 250 mm, 0.02 deg, which hides 120 of 300 frames\n"));
 }
 
 TEST(EvaluationReport, PathsThatAreNotUtf8DoNotBreakJson) {
