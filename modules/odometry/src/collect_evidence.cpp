@@ -23,9 +23,6 @@ void add_reference(const Reference& reference, FrameEvidence* evidence) {
   evidence->view_share = reference.view_share;
   if (reference.wanted_points > 0)
     evidence->lacking_share = std::max(0.0, 1 - double(reference.known_points) / reference.wanted_points);
-  const CameraRefinement::Lens& lens = reference.camera.lens;
-  if (lens.focal_sigma > 0)
-    evidence->focal_error = lens.focal, evidence->focal_error_sigma = lens.focal_sigma;
 }
 
 }  // namespace

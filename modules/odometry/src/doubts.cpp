@@ -55,10 +55,8 @@ double doubt_of_corner_motion(const CornerEvidence& c) {
 
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
   constexpr double kSigmas = 1, kSureSigmas = 2, kMostUnsure = 0.9;
-  constexpr double kShownShare = 0.4, kLeastError = -0.5;
   if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
-  const double error = std::max(kLeastError, focal_error / kShownShare);
-  const double doubt = limited(std::abs(error) / (1 + error) * turn_deg / kWrongDeg);
+  const double doubt = limited(std::abs(focal_error) / (1 + focal_error) * turn_deg / kWrongDeg);
   return std::abs(focal_error) > kSureSigmas * sigma ? doubt : std::min(doubt, kMostUnsure);
 }
 

@@ -77,6 +77,8 @@ class FrontEnd {
 
   /// What builds the images.
   PyramidBuilder& builder() { return builder_; }
+  /// Cameras of the raw and of the working images.
+  const Rectification& rectification() const { return rectification_; }
   /// Correction that is applied to the images.
   ImageCorrection correction() const { return builder_.correction(); }
   void set_correction(const ImageCorrection& correction) { builder_.set_correction(correction); }

@@ -30,7 +30,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       map(rectification, p, o, log),
       bootstrapper(rectification, p, o.seed, &map, &frames) {
   front_end.set_correction(map.initial_camera().correction);
-  if (p.health.corners) corners.emplace();
+  if (p.health.corners) corners.emplace(), focal.emplace(front_end.rectification());
   if (o.forget) frames.forget();
   if (o.realtime && o.on_schedule)
     concurrent = std::make_unique<ConcurrentBootstrap>(rectification, p, o.seed, &map);
@@ -175,6 +175,9 @@ void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE
   FrameEvidence& evidence = now.record->evidence;
   evidence.corners = corners->add(
       now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
+  focal->add(corners->followed(), T_cur_last, now.pyramid->correction.k1);
+  if (const std::optional<FocalError> found = focal->error())
+    evidence.focal_error = found->value, evidence.focal_error_sigma = found->sigma;
 }
 
 void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late) {

@@ -13,6 +13,7 @@
 #include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/odometry/trust.h"
+#include "edgevo/self_calibration/focal_by_corners.h"
 #include "edgevo/witness/corner_witness.h"
 #include "frame_log.h"
 #include "frame_order.h"
@@ -107,6 +108,7 @@ struct Odometry::Impl {
   std::optional<double> scale_of_made;
   bool holds = false;  // late frames, for mapping
   std::optional<CornerWitness> corners;
+  std::optional<FocalByCorners> focal;  // with `corners`
   NewestPose newest_pose;
   bool camera_announced = false;
   bool frame_announced = false;  // the record of the newest frame as it is now

@@ -90,7 +90,7 @@ std::string in_words(Doubt doubt, const FrameEvidence& e) {
     case Doubt::kMotion:
       return motion_in_words(c);
     case Doubt::kFocalLength:
-      return format("a turn with a focal length that the matches put %.0f %% off", 100 * e.focal_error);
+      return format("a turn with a focal length that the corners put %.0f %% off", 100 * e.focal_error);
     case Doubt::kCornerAgreement:
       return format("%.0f %% of the corners contradict the motion", 100 * (1 - c.agreeing_share));
     case Doubt::kNoWitness:

@@ -62,6 +62,12 @@ void CornerTracks::drop_where(const std::function<bool(const Eigen::Vector2d& px
       view_.tracks.end());
 }
 
+std::vector<FollowedCorner> CornerTracks::followed() const {
+  std::vector<FollowedCorner> corners;
+  for (const CornerTrack& t : view_.tracks) corners.push_back({t.id, view_.pinhole.ray(t.px.cast<double>())});
+  return corners;
+}
+
 void CornerTracks::move(const FlowImage& now, const std::vector<ExpectedCorner>& expected) {
   std::vector<CornerTrack> kept;
   auto e = expected.begin();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/witness/followed_corner.h"
 #include "patch_flow.h"
 
 namespace edgevo {
@@ -54,6 +55,8 @@ class CornerTracks {
 
   /// The corners of the newest image.
   const CornerView& view() const { return view_; }
+  /// The same as viewing rays.
+  std::vector<FollowedCorner> followed() const;
 
  private:
   void choose_level(const FramePyramid& frame);

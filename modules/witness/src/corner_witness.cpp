@@ -29,6 +29,8 @@ std::optional<CornerEvidence> CornerWitness::add(const std::shared_ptr<const Fra
   return evidence;
 }
 
+std::vector<FollowedCorner> CornerWitness::followed() const { return impl_->tracks.followed(); }
+
 void CornerWitness::begin_map(double median_idepth) { impl_->evaluation.begin_map(median_idepth); }
 
 void CornerWitness::change_unit(double length_ratio) { impl_->evaluation.change_unit(length_ratio); }

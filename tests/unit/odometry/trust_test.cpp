@@ -123,23 +123,23 @@ TEST(PRight, ContradictionsDecideAlone) {
 TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
   Drive drive;
   FrameEvidence wrong = good_evidence();
-  wrong.focal_error = 0.1, wrong.focal_error_sigma = 0.03;
+  wrong.focal_error = 0.25, wrong.focal_error_sigma = 0.06;
   EXPECT_GT(drive.go(wrong, kStep, 60).p_right, 0.9);
   drive.turn = 0.05;
   const FrameTrust turning = drive.go(wrong, kStep, 12);
   EXPECT_LT(turning.p_right, kDoubtfulBelow);
-  EXPECT_THAT(turning.reason, HasSubstr("a focal length that the matches put 10 % off"));
+  EXPECT_THAT(turning.reason, HasSubstr("a focal length that the corners put 25 % off"));
   drive.turn = 0;
   EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9);
-  drive.turn = 0.05, wrong.focal_error = 0.02;
-  EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9) << "within what the matches can show";
+  drive.turn = 0.05, wrong.focal_error = 0.05;
+  EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9) << "within what corners can show";
 }
 
 // Right cameras are up to 1.8 standard deviations off.
 TEST(Trust, AFocalLengthThatMayBeRightDoesNotDecideAlone) {
   Drive drive;
   FrameEvidence early = good_evidence();
-  early.focal_error = 0.067, early.focal_error_sigma = 0.055;
+  early.focal_error = 0.104, early.focal_error_sigma = 0.078;
   drive.turn = 0.05;
   EXPECT_GT(drive.go(early, kStep, 60).p_right, kDoubtfulBelow);
 }

@@ -8,10 +8,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/witness/followed_corner.h"
 
 namespace edgevo {
 
@@ -35,6 +37,8 @@ class CornerWitness {
   std::optional<CornerEvidence> add(const std::shared_ptr<const FramePyramid>& frame,
                                     const std::optional<SE3>& T_cur_last, const MovesByItself& moves = {},
                                     bool stands = false);
+  /// The corners of the newest image, by ascending id.
+  std::vector<FollowedCorner> followed() const;
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
   /// stay. `median_idepth` of the map is what is expected of corners before their depths are measured.
   void begin_map(double median_idepth);

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace edgevo {
+
+/// A corner that is followed from image to image.
+struct FollowedCorner {
+  /// Ascends over the whole run; a lost corner's number is not used again.
+  uint32_t id = 0;
+  /// Viewing ray (x, y, 1) by the camera file, without a correction.
+  Eigen::Vector3d ray;
+};
+
+}  // namespace edgevo
