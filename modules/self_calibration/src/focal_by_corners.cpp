@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kViews = 6;
 constexpr double kLeastWay = 0.03;  // median way of the corners between two views, widths of the image
 constexpr double kLeastTurn = 0.05;  // radians over a window: a way straight on shows no focal length
-constexpr int kMostWindows = 8;
+constexpr int kLeastWindows = 2, kMostWindows = 8;
 // Of windows against each other, and what all may share: rows that are read out one after another, a residual
 // distortion. Relative.
 constexpr double kScatter = 0.05, kCommon = 0.04;
@@ -26,7 +26,7 @@ struct FocalByCorners::Impl {
   SE3 T_cam_path;
   double k1 = 0;
   int windows = 0;
-  double information = 0, weighted = 0;
+  double information = 0, weighted = 0, squares = 0;  // of the logarithm of true over file's focal length
 
   double way_since_view(const std::vector<FollowedCorner>& corners) const;
   void add_view(const std::vector<FollowedCorner>& corners);
@@ -65,7 +65,7 @@ void FocalByCorners::Impl::measure() {
   if (!found) return;
   const double log_focal = std::log1p(found->value), relative = found->sigma / (1 + found->value);
   const double weight = 1 / (relative * relative + kScatter * kScatter);
-  information += weight, weighted += weight * log_focal;
+  information += weight, weighted += weight * log_focal, squares += weight * log_focal * log_focal;
   ++windows;
 }
 
@@ -78,11 +78,14 @@ void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::
   impl_->add_view(corners);
 }
 
+// Windows that contradict each other say so: their scatter, where it is larger than stated, is the error's.
 std::optional<FocalError> FocalByCorners::error() const {
-  if (impl_->information == 0) return std::nullopt;
-  const double value = std::expm1(impl_->weighted / impl_->information);
-  const double sigma = std::sqrt(1 / impl_->information + kCommon * kCommon);
-  return FocalError{value, (1 + value) * sigma};
+  const Impl& w = *impl_;
+  if (w.windows < kLeastWindows) return std::nullopt;
+  const double mean = w.weighted / w.information;
+  const double scatter = (w.squares - mean * w.weighted) / (w.windows - 1);  // expected: 1
+  const double sigma = std::sqrt(std::max(1.0, scatter) / w.information + kCommon * kCommon);
+  return FocalError{std::expm1(mean), std::exp(mean) * sigma};
 }
 
 }  // namespace edgevo

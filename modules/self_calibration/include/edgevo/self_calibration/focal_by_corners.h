@@ -35,7 +35,7 @@ class FocalByCorners {
   /// Cost: hardly any, but 3 ms where a window in which the camera has turned is complete; at most eight
   /// such windows are measured.
   void add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last, double k1);
-  /// The windows up to now together; nothing: none has shown the focal length.
+  /// The windows up to now together; nothing: fewer than two have shown the focal length.
   std::optional<FocalError> error() const;
 
  private:
