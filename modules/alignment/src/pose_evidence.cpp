@@ -39,6 +39,7 @@ PoseEvidence weigh_evidence(const FramePyramid& current, const ReferenceCloud& c
 std::vector<PoseEquation> pose_equations(const FramePyramid& current, const ReferenceCloud& cloud,
                                          const SE3& T_cur_ref, const AlignmentParams& params) {
   const PyramidLevel& level = current.finest();
+  const Eigen::Vector2d middle = 0.5 * Eigen::Vector2d(level.pinhole.width - 1, level.pinhole.height - 1);
   std::vector<PoseEquation> equations;
   for_visible(level, cloud, T_cur_ref, [&](const CloudPoint& point, const Projection& p) {
     const EdgeMatch match = match_edge(level, p.px, point.normal, params);
@@ -50,6 +51,8 @@ std::vector<PoseEquation> pose_equations(const FramePyramid& current, const Refe
                depth_weight(projection_jacobian(level.pinhole, p.Y), T_cur_ref.translation(), match.normal,
                             point.idepth_sigma);
     e.edge = match.chain;
+    e.normal = match.normal;
+    e.at = (p.px - middle) * (2.0 / level.pinhole.width);
     equations.push_back(e);
   });
   return equations;

@@ -49,6 +49,8 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   if (track.corner_ms > 0) record.stage_ms.emplace_back(name_of(Stage::kCorners), track.corner_ms);
   add_pose(track.result, *reference_, &record.evidence);
   record.evidence.step_sigmas = track.step_sigmas;
+  if (!is_lost(classify(record.evidence, params_.status)))
+    track.result.smooth_px2 = smooth_error_.add(track.result.smooth);
   record.evidence.stands =
       standstill_.stands(*now.pyramid, reference_->cloud, track.result.T_cur_ref, motion_.usual_step());
   return track;

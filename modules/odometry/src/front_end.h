@@ -21,6 +21,7 @@
 #include "motion_model.h"
 #include "moving_bodies.h"
 #include "rolling_shutter.h"
+#include "smooth_error_mean.h"
 #include "standstill.h"
 
 namespace edgevo {
@@ -108,6 +109,7 @@ class FrontEnd {
   MapCoverage coverage_;
   MovingBodies bodies_;
   Standstill standstill_;
+  SmoothErrorMean smooth_error_;
   std::shared_ptr<const Reference> reference_;
   std::shared_ptr<const FramePyramid> newest_pyramid_;
 };

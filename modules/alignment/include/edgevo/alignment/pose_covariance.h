@@ -33,6 +33,10 @@ struct PoseEquation {
   double weight = 0;
   /// Number of the edge that the point is matched with, >= 0.
   int edge = 0;
+  /// Unit normal of that edge.
+  Eigen::Vector2d normal = Eigen::Vector2d::Zero();
+  /// Where the point is seen: half widths of the image from its middle.
+  Eigen::Vector2d at = Eigen::Vector2d::Zero();
 };
 
 /// Ratio of the variance including the error of the reference to that of the alignment alone: 1.41 to 1.69
