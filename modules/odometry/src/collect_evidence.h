@@ -17,8 +17,8 @@ void add_image(const FramePyramid& pyramid, FrameEvidence* evidence);
 /// step is unknown.
 void add_pose(const TrackResult& pose, const Reference& reference, FrameEvidence* evidence);
 
-/// Covariance of the pose as it is reported (FrameRecord::covariance): that of its alignment, of the error that
-/// neighbouring edges share, both with the error of the reference, and of the unit of length.
+/// Covariance of the pose as it is reported (FrameRecord::covariance): that of its alignment and of what
+/// neighbouring edges share, both with the error of the reference, and that of the unit of length.
 Matrix6d reported_covariance(const TrackResult& pose, const Reference& reference);
 
 }  // namespace edgevo

@@ -14,6 +14,8 @@
 // appear certain. Residuals do not show the error of the reference itself, whose cloud was placed by an
 // alignment of the same kind. kReferenceShare, one factor for all scenes, accounts for it.
 //
+// What several edges share is not in it: smooth_error.h.
+//
 // It is the covariance of the pose relative to the reference keyframe, in the local unit of length of the
 // map. The scale of a monocular map drifts along the path: unit_covariance(), which a reported pose includes.
 // tests/regression compares both with ground truth of rendered scenes.
