@@ -12,6 +12,12 @@
 #include "two_view_motion.h"
 
 namespace edgevo {
+
+struct ViewFeatures {
+  std::vector<cv::KeyPoint> points;
+  cv::Mat descriptors;
+};
+
 namespace {
 
 constexpr int kMostFeatures = 4000;
@@ -32,15 +38,10 @@ constexpr double kLeastSigma = 0.02, kMostSigma = 0.15;
 // A bent map still knows its unit better than equal speed does, whose logarithm is off by this.
 constexpr double kMostBend = 0.5;
 
-struct Features {
-  std::vector<cv::KeyPoint> points;
-  cv::Mat descriptors;
-};
-
-Features find_features(const FramePyramid& pyramid) {
+ViewFeatures find_features(const FramePyramid& pyramid) {
   const Plane<uint8_t>& gray = pyramid.finest().gray;
   const cv::Mat image(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0)));
-  Features found;
+  ViewFeatures found;
   const cv::Ptr<cv::SIFT> sift = cv::SIFT::create(kMostFeatures);
   sift->detect(image, found.points);
   const auto is_own = [&](const cv::KeyPoint& k) { return pyramid.is_own(k.pt.x, k.pt.y); };
@@ -64,7 +65,7 @@ Eigen::Vector2f pixel(const cv::KeyPoint& k) { return {k.pt.x, k.pt.y}; }
 
 // Those that hold in both directions. The way back, as much work as the way there, is searched for them
 // alone.
-MatchedPixels match_features(const Features& a, const Features& b) {
+MatchedPixels match_features(const ViewFeatures& a, const ViewFeatures& b) {
   MatchedPixels matches;
   if (a.points.size() < kFewestMatches || b.points.size() < kFewestMatches) return matches;
   const std::vector<int> to_b = nearest(a.descriptors, b.descriptors);
@@ -265,9 +266,15 @@ std::optional<ViewLink> link_views(const Pinhole& pinhole, const MatchedPixels& 
                  : link_by_depths(features, *T_b_a);
 }
 
+LinkableView::LinkableView(const ReferenceCloud& cloud)
+    : cloud_(&cloud), features_(std::make_shared<const ViewFeatures>(find_features(*cloud.pyramid))) {}
+
+std::optional<ViewLink> LinkableView::link_to(const Pinhole& pinhole, const LinkableView& b) const {
+  return link_views(pinhole, match_features(*features_, *b.features_), cloud_->points, b.cloud_->points);
+}
+
 std::optional<ViewLink> link_views(const Pinhole& pinhole, const ReferenceCloud& a, const ReferenceCloud& b) {
-  const Features of_a = find_features(*a.pyramid), of_b = find_features(*b.pyramid);
-  return link_views(pinhole, match_features(of_a, of_b), a.points, b.points);
+  return LinkableView(a).link_to(pinhole, LinkableView(b));
 }
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "doubt_evaluation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/output_file.h"
@@ -9,28 +10,45 @@
 namespace edgevo {
 namespace {
 
-// Standard deviations of the link from which a unit counts as another one: a unit that nothing has shown to
-// be wrong is kept; that of a new map was a first estimate.
-constexpr double kSigmasOfOneMap = 2.5, kSigmasOfANewMap = 1;
+// Standard deviations of the link from which a unit counts as another one: one that nothing has shown to be
+// wrong is kept.
+constexpr double kSigmasOfKnownUnit = 2.5;
+
+// By the newest view that links: the most certain of several links would be one whose standard deviation is
+// too small.
+std::optional<ViewLink> first_link(const Pinhole& pinhole, const std::vector<SureView>& before,
+                                   const SureView& now) {
+  constexpr size_t kMostViews = 4;
+  const LinkableView to(now.reference->cloud);
+  for (size_t i = 0; i < std::min(before.size(), kMostViews); ++i)
+    if (const auto link = LinkableView(before[i].reference->cloud).link_to(pinhole, to)) return link;
+  return std::nullopt;
+}
 
 }  // namespace
 
-DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before,
-                               const SureView& now, const std::function<double(int)>& scale_of) {
-  const bool is_new_map = before && before->segment != now.segment;
+DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::vector<SureView>& before,
+                               const SureView& now, double known_to,
+                               const std::function<double(int)>& scale_of) {
   DoubtEvaluation found;
   DoubtEnded& ended = found.ended;
-  // There is nothing before the first map; and a view that is still in use is one of this map.
-  ended.is_evaluated = !before || is_new_map || before->reference == now.reference;
-  if (!before || before->reference == now.reference) return found;
-  if (!is_new_map) ended.last_sure_keyframe = before->reference->keyframe_id;
+  if (before.empty() || before.front().reference == now.reference) {
+    // There is nothing before the first map; and a view that is still in use is one of this map.
+    ended.is_evaluated = true;
+    return found;
+  }
+  const SureView& last = before.front();
+  const bool is_new_map = last.segment != now.segment;
+  ended.is_evaluated = is_new_map;
+  if (!is_new_map) ended.last_sure_keyframe = last.reference->keyframe_id;
   UnitComparison& unit = found.unit.emplace();
-  const auto link = link_views(pinhole, before->reference->cloud, now.reference->cloud);
+  const std::optional<ViewLink> link = first_link(pinhole, before, now);
   if (!link) return found;
   ended.is_evaluated = true;
-  unit = {link->scale * scale_of(before->segment) / scale_of(now.segment), link->sigma};
-  const double sigmas = is_new_map ? kSigmasOfANewMap : kSigmasOfOneMap;
-  if (std::abs(std::log(unit.ratio)) > sigmas * unit.sigma) ended.length_ratio = unit.ratio;
+  unit = {link->scale * scale_of(last.segment) / scale_of(now.segment), link->sigma};
+  const bool is_better = is_new_map && unit.sigma <= known_to;
+  if (is_better || std::abs(std::log(unit.ratio)) > kSigmasOfKnownUnit * unit.sigma)
+    ended.length_ratio = unit.ratio;
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
@@ -20,12 +21,18 @@ struct DoubtEvaluation {
   std::optional<UnitComparison> unit;
 };
 
+/// Standard deviation of the logarithm of a ratio of units from which on another comparison is to be made:
+/// nine tenths are within 5 %.
+constexpr double kUnitKnown = 0.03;
+
 /// Compares the map that is sure again, seen in `now`, with what it was `before` the doubt, by features that
-/// both views show (mapping/view_link.h). A new map was joined to the one before by its first two views: it
-/// is compared again, since its depths are better known. `scale_of`: world over map of a segment. Cost: about
-/// 0.3 s.
-DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::optional<SureView>& before,
-                               const SureView& now, const std::function<double(int)>& scale_of);
+/// the newest view of before shows, too, or else one of the three before it (mapping/view_link.h). A new map
+/// was joined to the one before by its first two views: it is compared again, since its depths are better
+/// known, and takes the unit of what is no less certain than the comparison before (`known_to`, of the
+/// logarithm). `scale_of`: world over map of a segment. Cost: some 0.2 s for each view of before.
+DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::vector<SureView>& before,
+                               const SureView& now, double known_to,
+                               const std::function<double(int)>& scale_of);
 
 /// The comparison in words, for the log.
 std::string in_words(const UnitComparison& unit);

@@ -19,7 +19,26 @@ FrameRecord& FrameLog::begin_frame(const Frame& frame) {
   return newest_.frame;
 }
 
-void FrameLog::announce() { log_->append(newest_); }
+void FrameLog::announce() { append(newest_); }
+
+void FrameLog::append(FrameAnchored frame) {
+  const auto& unit = frame.frame.evidence.unit;
+  if (unit && !unit->is_linked()) unlinked_[frame.frame.index] = frame;
+  log_->append(std::move(frame));
+}
+
+void FrameLog::link_units(int segment, const UnitComparison& unit) {
+  for (auto i = unlinked_.begin(); i != unlinked_.end();) {
+    FrameAnchored& known = i->second;
+    if (known.frame.segment != segment) {
+      ++i;
+      continue;
+    }
+    known.frame.evidence.unit = unit;
+    log_->append(std::move(known));
+    i = unlinked_.erase(i);
+  }
+}
 
 FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Reference& reference,
                                  const SE3& T_cam_ref) {
@@ -44,7 +63,7 @@ void FrameLog::place(FrameRecord record, int segment, const Reference& reference
   if (placed.frame.index == newest_.frame.index)
     newest_ = std::move(placed);
   else
-    log_->append(std::move(placed));
+    append(std::move(placed));
 }
 
 std::optional<FrameRecord> FrameLog::find(int frame_index) {

@@ -2,6 +2,7 @@
 #pragma once
 // The tracking side's end of the stream of events: announces frames and segments, and reads back the run that
 // all events so far make.
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -37,6 +38,9 @@ class FrameLog {
   std::optional<FrameRecord> find(int frame_index);
   /// RunBuilder::times_usual_step() of the newest frame with the pose `T_cam_map`.
   double times_usual_step(int frame_index, int segment, const SE3& T_cam_map);
+  /// Announces the frames of a segment again at which nothing linked the unit of length to that before: now
+  /// it is.
+  void link_units(int segment, const UnitComparison& unit);
   /// Announces the pose of a segment's map in the world.
   void begin_segment(const SegmentPlaced& placed);
 
@@ -46,12 +50,14 @@ class FrameLog {
   RunBuilder& run();
 
  private:
+  void append(FrameAnchored frame);
   FrameAnchored anchored(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
 
   std::shared_ptr<MapLog> log_;
   MapCursor cursor_;
   RunBuilder run_;
   FrameAnchored newest_;
+  std::map<int, FrameAnchored> unlinked_;  // by frame
 };
 
 }  // namespace edgevo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/health_watch.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace edgevo {
@@ -12,6 +13,8 @@ bool HealthWatch::repeats_join(const SureView& view) {
 }
 
 HealthWatch::Health HealthWatch::add(int frame_index, const SureView& view, bool is_doubtful) {
+  if (returned_) before_ = {*returned_};
+  returned_.reset();
   const bool is_join = repeats_join(view);
   const bool follows_loss = std::exchange(was_lost_, false), is_sure = !is_doubtful && !follows_loss;
   sure_ = is_sure ? sure_ + 1 : 0;
@@ -21,37 +24,44 @@ HealthWatch::Health HealthWatch::add(int frame_index, const SureView& view, bool
   }
   if (state_ == Health::kInDoubt && (sure_ < kDoubtReach || is_join)) return state_;
   joined_by_.reset();
-  const bool has_returned = state_ == Health::kInDoubt;
-  if (has_returned) recent_.clear();
-  if (recent_.empty() || recent_.back().reference != view.reference) recent_.push_back(view);
-  while (recent_.size() > 1 && recent_[1].frame_index <= frame_index - kDoubtReach) recent_.pop_front();
-  state_ = Health::kSure;
-  // While the return is evaluated, before() is still the view before the doubt.
-  if (has_returned) return Health::kReturned;
-  before_ = recent_.back();
+  // While the return is evaluated, before() are still the views before the doubt.
+  if (std::exchange(state_, Health::kSure) == Health::kInDoubt) {
+    returned_ = view;
+    return Health::kReturned;
+  }
+  remember(view);
   return Health::kSure;
 }
 
 void HealthWatch::begin_map() {
-  state_ = before_ ? Health::kInDoubt : Health::kSure;
+  state_ = before_.empty() ? Health::kSure : Health::kInDoubt;
   was_lost_ = false;
   begins_map_ = state_ == Health::kInDoubt;
   joined_by_.reset();
   sure_ = 0;
-  recent_.clear();
 }
 
-// Up to a loss the frames were sure, so that before() is the newest reference.
+// Up to a loss the frames were sure, so that before() begins with the newest reference.
 void HealthWatch::add_lost() {
   was_lost_ = true;
   sure_ = 0;
 }
 
+void HealthWatch::remember(const SureView& view) {
+  constexpr size_t kMost = 8;
+  if (!before_.empty() && before_.front().reference == view.reference) return;
+  before_.erase(std::remove_if(before_.begin(), before_.end(),
+                               [&](const SureView& v) {
+                                 return v.segment == view.segment &&
+                                        v.reference->keyframe_id == view.reference->keyframe_id;
+                               }),
+                before_.end());
+  before_.insert(before_.begin(), view);
+  if (before_.size() > kMost) before_.pop_back();
+}
+
 void HealthWatch::go_back_before(int frame_index) {
-  if (recent_.empty()) return;
-  before_ = recent_.front();
-  for (const SureView& view : recent_)
-    if (view.frame_index <= frame_index) before_ = view;
+  while (before_.size() > 1 && before_.front().frame_index > frame_index) before_.erase(before_.begin());
 }
 
 }  // namespace edgevo

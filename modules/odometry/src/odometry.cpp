@@ -6,7 +6,6 @@
 
 #include "camera_log.h"
 #include "collect_evidence.h"
-#include "doubt_evaluation.h"
 #include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
@@ -209,14 +208,39 @@ void Odometry::Impl::watch_health(const ArrivedFrame& now, TrackedFrame* tracked
   const Health found = health.add(now.frame.index, view, is_doubtful(*now.record));
   tracked->is_in_doubt = found == Health::kInDoubt;
   if (found == Health::kReturned) tracked->doubt_ended = end_doubt(now, view);
+  if (found == Health::kSure) tracked->doubt_ended = compare_again(now, view);
 }
 
-DoubtEnded Odometry::Impl::end_doubt(const ArrivedFrame& now, const SureView& view) const {
-  const DoubtEvaluation found = evaluate_doubt(
-      working, health.before(), view, [&](int segment) { return frames.T_world_map(segment).scale; });
+// By a view of the unit that is looked for since an earlier doubt, if it can be, else by that before this
+// one.
+DoubtEnded Odometry::Impl::end_doubt(const ArrivedFrame& now, const SureView& view) {
+  DoubtEvaluation found;
+  if (open_unit.is_open()) found = compare_unit(now, open_unit.before(), view);
+  if (!found.unit || !found.unit->is_linked()) found = compare_unit(now, health.before(), view);
   now.record->evidence.unit = found.unit;
   if (found.unit) say(now.frame, "sure again; " + in_words(*found.unit));
   return found.ended;
+}
+
+std::optional<DoubtEnded> Odometry::Impl::compare_again(const ArrivedFrame& now, const SureView& view) {
+  if (!open_unit.is_due(now.frame.index, view)) return std::nullopt;
+  const DoubtEvaluation found = compare_unit(now, open_unit.before(), view);
+  if (!found.unit || !found.unit->is_linked()) return std::nullopt;
+  say(now.frame, "the view before the doubt is seen again; " + in_words(*found.unit));
+  return found.ended;
+}
+
+// What links the map to a view before several doubts ends all of them.
+DoubtEvaluation Odometry::Impl::compare_unit(const ArrivedFrame& now, const std::vector<SureView>& before,
+                                             const SureView& view) {
+  const bool is_open = &before == &open_unit.before();
+  DoubtEvaluation found =
+      evaluate_doubt(working, before, view, is_open ? open_unit.sigma(view.segment) : OpenUnit::kUnknown,
+                     [&](int segment) { return frames.T_world_map(segment).scale; });
+  if (!found.unit) return found;
+  if (is_open && found.unit->is_linked()) frames.link_units(view.segment, *found.unit);
+  open_unit.note(now.frame.index, before, view, *found.unit);
+  return found;
 }
 
 void Odometry::Impl::change_unit(double length_ratio) {

@@ -7,6 +7,7 @@
 
 #include "bootstrapper.h"
 #include "concurrent_bootstrap.h"
+#include "doubt_evaluation.h"
 #include "early_frames.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/odometry/frame_status.h"
@@ -19,6 +20,7 @@
 #include "frame_order.h"
 #include "front_end.h"
 #include "map_link.h"
+#include "open_unit.h"
 #include "own_parts.h"
 #include "state_machine.h"
 
@@ -53,7 +55,11 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
-  DoubtEnded end_doubt(const ArrivedFrame& now, const SureView& view) const;
+  DoubtEnded end_doubt(const ArrivedFrame& now, const SureView& view);
+  // The end of an earlier doubt, if the unit of before is found now.
+  std::optional<DoubtEnded> compare_again(const ArrivedFrame& now, const SureView& view);
+  DoubtEvaluation compare_unit(const ArrivedFrame& now, const std::vector<SureView>& before,
+                               const SureView& view);
   // The map has set its unit back.
   void change_unit(double length_ratio);
 
@@ -99,6 +105,7 @@ struct Odometry::Impl {
   MapCursor adjustments;
   Trust trust;
   HealthWatch health;
+  OpenUnit open_unit;
   FrontEnd front_end;
   OwnParts own_parts;
   EarlyFrames early;  // not with `concurrent`

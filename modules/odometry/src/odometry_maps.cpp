@@ -47,7 +47,7 @@ std::string Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapRes
   front_end.drop_map();
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
-    begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.before(), scale));
+    begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.newest_before(), scale));
   if (problem.empty()) early.place(views, *front_end.reference(), state.segment(), params, &frames);
   if (problem.empty()) health.begin_map();
   return problem;
@@ -84,7 +84,7 @@ const FrameRecord& Odometry::Impl::keep_for_map(const Frame& frame) {
 }
 
 BootstrapStatus Odometry::Impl::look_concurrently(const ArrivedFrame& now) {
-  const BootstrapStatus status = concurrent->look(now, own_parts, health.before());
+  const BootstrapStatus status = concurrent->look(now, own_parts, health.newest_before());
   if (concurrent->is_making()) scale_of_made = scale_by_depths();
   return status;
 }
@@ -103,7 +103,7 @@ void Odometry::Impl::begin_made_map() {
   front_end.drop_map();
   state.after(made.problem.empty() ? Event::kMapMade : Event::kMapRefused, last.frame_index);
   if (!made.problem.empty()) return;
-  const NewSegment begun = bootstrapper.begin_segment(state.segment(), made.views, health.before(),
+  const NewSegment begun = bootstrapper.begin_segment(state.segment(), made.views, health.newest_before(),
                                                       scale_of_made, &made.beginning);
   front_end.begin_map(begun.reference, begun.motion, last.time);
   health.begin_map();

@@ -22,7 +22,9 @@ class HealthOfARun : public ::testing::Test {
   void sure_frames(int n) {
     for (int i = 0; i < n; ++i) EXPECT_EQ(frame(false), Health::kSure);
   }
-  int keyframe_before() const { return watch_.before() ? watch_.before()->reference->keyframe_id : -1; }
+  int keyframe_before() const {
+    return watch_.newest_before() ? watch_.newest_before()->reference->keyframe_id : -1;
+  }
 
   HealthWatch watch_;
   std::shared_ptr<Reference> reference_;
@@ -51,6 +53,25 @@ TEST_F(HealthOfARun, WhatCountsIsTheViewBeforeTheTenFramesThatAreDoubted) {
   EXPECT_EQ(keyframe_before(), 5) << "while the return is evaluated";
   sure_frames(1);
   EXPECT_GT(keyframe_before(), 5);
+}
+
+// A doubt can begin before it is noticed, and the camera sees again what it saw somewhat earlier.
+TEST_F(HealthOfARun, EarlierViewsAreKeptWithTheLastOne) {
+  sure_frames(30);
+  EXPECT_EQ(frame(true), Health::kInDoubt);
+  std::vector<int> keyframes;
+  for (const SureView& view : watch_.before()) keyframes.push_back(view.reference->keyframe_id);
+  EXPECT_EQ(keyframes, (std::vector<int>{5, 4, 3, 2, 1, 0}));
+}
+
+// What was seen before the doubt may have another unit.
+TEST_F(HealthOfARun, AfterTheReturnOnlyViewsSinceThenCount) {
+  sure_frames(30);
+  EXPECT_EQ(frame(true), Health::kInDoubt);
+  for (int i = 0; i + 1 < kDoubtReach; ++i) EXPECT_EQ(frame(false), Health::kInDoubt);
+  EXPECT_EQ(frame(false), Health::kReturned);
+  sure_frames(1);
+  for (const SureView& view : watch_.before()) EXPECT_GE(view.reference->keyframe_id, 10);
 }
 
 // The frames up to the loss were sure: the newest view is.

@@ -8,6 +8,7 @@
 // measures the same baseline, and the ratio of the two is that of the units. Nothing is assumed about the
 // motion in between, nor that a feature has a depth in both maps. Where the baseline is too short for that,
 // features that have a depth in both maps are compared.
+#include <memory>
 #include <optional>
 
 #include "edgevo/alignment/reference_cloud.h"
@@ -34,6 +35,21 @@ struct ViewLink {
 /// depth is only a guess (CloudPoint::host_keyframe < 0) have no say. Deterministic. Cost: some 200 ms at
 /// 1241x376.
 std::optional<ViewLink> link_views(const Pinhole& pinhole, const ReferenceCloud& a, const ReferenceCloud& b);
+
+struct ViewFeatures;
+
+/// A view whose features are found once for several links.
+class LinkableView {
+ public:
+  /// `cloud` must outlive this. Cost: some 60 ms at 1241x376.
+  explicit LinkableView(const ReferenceCloud& cloud);
+  /// link_views() of this view and `b`, without finding the features again.
+  std::optional<ViewLink> link_to(const Pinhole& pinhole, const LinkableView& b) const;
+
+ private:
+  const ReferenceCloud* cloud_;
+  std::shared_ptr<const ViewFeatures> features_;
+};
 
 /// Pixels of the same features in two views.
 struct MatchedPixels {

@@ -5,9 +5,9 @@
 // p_right of a frame speaks of the motion over the ten frames up to it. So a doubtful frame throws doubt on
 // these ten, and health has returned once ten frames in a row are sure: their p_right speaks of nothing that
 // was doubted. Between the two the map may have changed its unit.
-#include <deque>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "edgevo/odometry/reference.h"
 
@@ -26,8 +26,7 @@ struct SureView {
   std::shared_ptr<const Reference> reference;
 };
 
-/// Follows the health of a run; for the tracking thread. Keeps the references of the last ten frames, and the
-/// one before them, alive.
+/// Follows the health of a run; for the tracking thread. Keeps the last eight references alive.
 class HealthWatch {
  public:
   /// What a frame shows.
@@ -49,15 +48,22 @@ class HealthWatch {
   /// before once more would say what the join said. before() is still of the map before.
   void begin_map();
 
-  /// The last reference before the doubt, or before now if there is none; nothing before the first frame.
-  const std::optional<SureView>& before() const { return before_; }
+  /// The last references before the doubt, or before now if there is none, newest first and none twice: a
+  /// doubt can begin before it is noticed, and a camera sees again what it saw somewhat earlier. Empty before
+  /// the first frame.
+  const std::vector<SureView>& before() const { return before_; }
+  /// The first of them; nothing if there is none.
+  std::optional<SureView> newest_before() const {
+    return before_.empty() ? std::nullopt : std::optional(before_.front());
+  }
 
  private:
+  void remember(const SureView& view);
   void go_back_before(int frame_index);
   bool repeats_join(const SureView& view);
 
-  std::deque<SureView> recent_;
-  std::optional<SureView> before_;
+  std::vector<SureView> before_;
+  std::optional<SureView> returned_;  // by this view, in the frame before
   Health state_ = Health::kSure;
   bool was_lost_ = false;
   bool begins_map_ = false;
