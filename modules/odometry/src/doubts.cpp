@@ -54,10 +54,9 @@ double doubt_of_corner_motion(const CornerEvidence& c) {
 }
 
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
-  constexpr double kSigmas = 1, kSureSigmas = 2, kMostUnsure = 0.9;
+  constexpr double kSigmas = 2;
   if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
-  const double doubt = limited(std::abs(focal_error) / (1 + focal_error) * turn_deg / kWrongDeg);
-  return std::abs(focal_error) > kSureSigmas * sigma ? doubt : std::min(doubt, kMostUnsure);
+  return limited(std::abs(focal_error) / (1 + focal_error) * turn_deg / kWrongDeg);
 }
 
 double doubt_of_corner_scale(const CornerEvidence& c) {

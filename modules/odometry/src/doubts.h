@@ -19,8 +19,7 @@ inline constexpr double kMostDoubt = 3;
 double doubt_of_corner_motion(const CornerEvidence& c);
 /// Error of the turn over ten frames, `turn_deg`, that a wrong focal length makes: 1 for 3 degrees, since a
 /// turn is the way of the image over the focal length. `focal_error`: true focal length over the camera's,
-/// less 1; 0 within one of its standard deviations, less than 1 within two, which estimates of right cameras
-/// reach.
+/// less 1; 0 within two of its standard deviations, which estimates of right cameras reach.
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg);
 /// Change of the map's unit over the last ten, or the last fifty frames, beyond one standard deviation: 1 for
 /// a factor of 1.25 either way.

@@ -17,7 +17,7 @@ constexpr int kLeastViews = 4;    // of a corner: more than two, or it shows no 
 constexpr size_t kLeastCorners = 30;
 // A corner that slid along an edge, or lies on a body that moves, is further off than this by the median.
 constexpr double kOutlier = 3;
-constexpr int kRounds = 2;  // of an estimate, the next one without the outliers
+constexpr int kRounds = 2;                // of an estimate, the next one without the outliers
 constexpr double kEnoughDecrease = 1e-3;  // decrease of the cost, a share of it, that ends an adjustment
 // Least inverse depth per length of the baseline, and least baseline that this is taken of.
 constexpr double kLeastIdepth = 1e-3, kLeastBaseline = 1e-9;
@@ -30,7 +30,8 @@ struct Track {
 std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<CornerSights>& views) {
   std::map<uint32_t, Track> by_id;
   for (size_t v = 0; v < views.size(); ++v)
-    for (const FollowedCorner& c : views[v].corners) by_id[c.id].sights.emplace_back(int(v), pinhole.project(c.ray));
+    for (const FollowedCorner& c : views[v].corners)
+      by_id[c.id].sights.emplace_back(int(v), pinhole.project(c.ray));
   std::vector<Track> tracks;
   for (auto& [id, track] : by_id)
     if (int(track.sights.size()) >= kLeastViews) tracks.push_back(std::move(track));

@@ -17,8 +17,8 @@ struct CornerSights {
 };
 
 /// Adjusts poses, depths and focal length to the corners of `views` (three or more, from images with the
-/// residual distortion `k1`). Nothing: too few corners, or no minimum. The standard deviation is that of errors
-/// which are common to neighbouring corners and images, as those of followed patches are.
+/// residual distortion `k1`). Nothing: too few corners, or no minimum. The standard deviation is that of
+/// errors which are common to neighbouring corners and images, as those of followed patches are.
 std::optional<FocalError> adjust_corners(const Rectification& rectification,
                                          const std::vector<CornerSights>& views, double k1);
 

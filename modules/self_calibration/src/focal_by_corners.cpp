@@ -11,7 +11,7 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kViews = 6;
-constexpr double kLeastWay = 0.03;  // median way of the corners between two views, widths of the image
+constexpr double kLeastWay = 0.03;   // median way of the corners between two views, widths of the image
 constexpr double kLeastTurn = 0.05;  // radians over a window: a way straight on shows no focal length
 constexpr int kLeastWindows = 2, kMostWindows = 8;
 // Of windows against each other, and what all may share: rows that are read out one after another, a residual

@@ -139,7 +139,7 @@ TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
 TEST(Trust, AFocalLengthThatMayBeRightDoesNotDecideAlone) {
   Drive drive;
   FrameEvidence early = good_evidence();
-  early.focal_error = 0.104, early.focal_error_sigma = 0.078;
+  early.focal_error = 0.12, early.focal_error_sigma = 0.065;
   drive.turn = 0.05;
   EXPECT_GT(drive.go(early, kStep, 60).p_right, kDoubtfulBelow);
 }
