@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/ground_link.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -29,36 +30,51 @@ HeightOfUnit heights_by_unit(const Run& run, const std::vector<UnitPath>& paths,
   return heights;
 }
 
-// New over old lengths of each unit: the first one that shows ground decides.
-std::vector<double> factors_of(const HeightOfUnit& heights) {
-  std::vector<double> factors;
-  std::optional<double> first;
-  for (const auto& height : heights) {
-    if (height && !first) first = height->factor;
-    factors.push_back(height ? height->factor / *first : factors.empty() ? 1 : factors.back());
-  }
-  return factors;
+// The ground links two parts that nothing else links, or nothing as certain.
+std::optional<UnitComparison> comparison(const std::optional<ScaleEstimate>& before,
+                                         const std::optional<ScaleEstimate>& after,
+                                         const UnitComparison& known) {
+  if (!before || !after) return std::nullopt;
+  UnitComparison unit;
+  unit.ratio = after->factor / before->factor;
+  unit.sigma = std::hypot(before->sigma, after->sigma);
+  unit.by_ground = true;
+  if (known.is_linked() && !(unit.sigma < known.sigma)) return std::nullopt;
+  return unit;
 }
 
-UnitComparison comparison(const ScaleEstimate& before, const ScaleEstimate& after) {
-  UnitComparison unit;
-  unit.ratio = after.factor / before.factor;
-  unit.sigma = std::hypot(before.sigma, after.sigma);
-  unit.by_ground = true;
-  return unit;
+// New over old lengths of each unit, all in that of the first. What links two parts is noted.
+std::vector<double> link(const std::vector<DoubtfulInterval>& compared, const HeightOfUnit& heights,
+                         Run* run) {
+  std::vector<double> factors{1};
+  size_t shown = 0;  // the last unit that shows ground
+  for (size_t u = 1; u < heights.size(); ++u) {
+    const DoubtfulInterval& interval = compared[u - 1];
+    factors.push_back(factors.back());
+    if (const auto by_ground = comparison(heights[shown], heights[u], *interval.unit)) {
+      factors.back() = factors[shown] * by_ground->ratio;
+      run->frames[size_t(interval.compared_at)].evidence.unit = by_ground;
+    }
+    if (heights[u]) shown = u;
+  }
+  return factors;
 }
 
 }  // namespace
 
 void link_units_by_ground(const ScaleParams& params, Run* run) {
-  std::vector<int> compared_at;  // where another unit begins
-  for (const DoubtfulInterval& interval : doubtful_intervals(*run))
-    if (interval.is_unit_unlinked()) compared_at.push_back(interval.compared_at);
-  if (compared_at.empty()) return;
-  const std::vector<UnitPath> paths = paths_by_unit(*run);
-  const HeightOfUnit heights = heights_by_unit(*run, paths, compared_at.size() + 1, params);
-  const std::vector<double> factor_of_unit = factors_of(heights);
-
+  std::vector<DoubtfulInterval> compared;  // another unit may begin at each
+  std::vector<int> begins;
+  for (DoubtfulInterval& interval : doubtful_intervals(*run)) {
+    if (!interval.unit) continue;
+    begins.push_back(interval.first_frame);
+    compared.push_back(std::move(interval));
+  }
+  if (compared.empty()) return;
+  const std::vector<UnitPath> paths = paths_by_unit(*run, begins);
+  const HeightOfUnit heights = heights_by_unit(*run, paths, compared.size() + 1, params);
+  const std::vector<double> factor_of_unit = link(compared, heights, run);
+  if (std::all_of(factor_of_unit.begin(), factor_of_unit.end(), [](double f) { return f == 1; })) return;
   std::map<int, int> unit_of;  // by frame
   for (const UnitPath& of_unit : paths)
     for (const PathPose& pose : of_unit.path) unit_of[pose.frame_index] = of_unit.unit;
@@ -68,9 +84,6 @@ void link_units_by_ground(const ScaleParams& params, Run* run) {
     factors.push_back(unit != unit_of.end() ? factor_of_unit[size_t(unit->second)] : 1);
   }
   rescale_final(factors, run);
-  for (size_t u = 1; u < heights.size(); ++u)
-    if (heights[u - 1] && heights[u])
-      run->frames[size_t(compared_at[u - 1])].evidence.unit = comparison(*heights[u - 1], *heights[u]);
 }
 
 }  // namespace edgevo

@@ -17,9 +17,13 @@ void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path)
 }
 
 std::vector<UnitPath> paths_by_unit(const Run& run) {
-  std::vector<int> begins;  // of further units, frames
+  std::vector<int> begins;
   for (const DoubtfulInterval& interval : doubtful_intervals(run))
     if (interval.is_unit_unlinked()) begins.push_back(interval.first_frame);
+  return paths_by_unit(run, begins);
+}
+
+std::vector<UnitPath> paths_by_unit(const Run& run, const std::vector<int>& begins) {
   std::map<std::pair<int, int>, Path> paths;  // by segment and unit
   size_t unit = 0;
   for (const FrameRecord& frame : run.frames) {

@@ -82,12 +82,22 @@ TEST(GroundLink, WithoutGroundEachPartKeepsItsUnit) {
   EXPECT_TRUE(doubtful_intervals(made.run)[0].is_unit_unlinked());
 }
 
-TEST(GroundLink, ALinkByWhatWasSeenIsNotTouched) {
+TEST(GroundLink, AMoreCertainLinkByFeaturesIsNotTouched) {
   test::MadeRun made = drive_with_a_gap();
-  made.run.frames[kCompared].evidence.unit = UnitComparison{1.0, 0.03};
+  made.run.frames[kCompared].evidence.unit = UnitComparison{1.0, 0.001};
   const SE3 before = *made.run.frames[250].T_world_cam;
   link_units_by_ground(ScaleParams(), &made.run);
   EXPECT_EQ(made.run.frames[250].T_world_cam->translation(), before.translation());
+  EXPECT_FALSE(made.run.frames[kCompared].evidence.unit->by_ground);
+}
+
+// Two views of a drive link units that differ by a tenth at a stated 3 %.
+TEST(GroundLink, ALessCertainOneIsReplaced) {
+  test::MadeRun made = drive_with_a_gap();
+  made.run.frames[kCompared].evidence.unit = UnitComparison{1.0, 0.1};
+  link_units_by_ground(ScaleParams(), &made.run);
+  EXPECT_NEAR(length_between(made.run, 200, 280) / length_between(made.run, 20, 100), 1, 0.05);
+  EXPECT_TRUE(made.run.frames[kCompared].evidence.unit->by_ground);
 }
 
 // Within the 40 m over which a scale is estimated both units would count.

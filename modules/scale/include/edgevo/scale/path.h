@@ -35,5 +35,7 @@ struct UnitPath {
 };
 /// The paths of the segments, cut where another unit begins; none is empty.
 std::vector<UnitPath> paths_by_unit(const Run& run);
+/// The same, where another unit begins at each frame of `begins`, indices in the source, ascending.
+std::vector<UnitPath> paths_by_unit(const Run& run, const std::vector<int>& begins);
 
 }  // namespace edgevo

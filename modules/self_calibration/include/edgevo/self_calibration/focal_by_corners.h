@@ -26,6 +26,7 @@ struct FocalError {
 /// Measures the focal length in windows of views, for one thread; deterministic.
 class FocalByCorners {
  public:
+  /// For images that are rectified as `rectification` says.
   explicit FocalByCorners(const Rectification& rectification);
   ~FocalByCorners();
   FocalByCorners(FocalByCorners&&) noexcept;
