@@ -129,7 +129,9 @@ std::optional<FocalError> adjust_corners(const Rectification& rectification,
     for (size_t v = 0; v < placed.size(); ++v) placed[v].T_cam_path = found.solution.poses[v].T_cam_world;
     tracks = without_outliers(tracks, misses(found.solution));
   }
-  return FocalError{error.focal, found.sigma[kFocal]};
+  const double sigma = found.sigma[kFocal];
+  if (!(sigma > 0) || !std::isfinite(sigma)) return std::nullopt;
+  return FocalError{error.focal, sigma};
 }
 
 }  // namespace edgevo

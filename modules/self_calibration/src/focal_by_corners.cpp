@@ -11,8 +11,9 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kViews = 6;
-constexpr double kLeastWay = 0.03;   // median way of the corners between two views, widths of the image
-constexpr double kLeastTurn = 0.05;  // radians over a window: a way straight on shows no focal length
+constexpr size_t kLeastFollowed = 15;  // from view to view: where fewer are, a new window begins
+constexpr double kLeastWay = 0.03;     // median way of the corners between two views, widths of the image
+constexpr double kLeastTurn = 0.05;    // radians over a window: a way straight on shows no focal length
 constexpr int kLeastWindows = 2, kMostWindows = 8;
 // Of windows against each other, and what all may share: rows that are read out one after another, a residual
 // distortion. Relative.
@@ -28,7 +29,7 @@ struct FocalByCorners::Impl {
   int windows = 0;
   double information = 0, weighted = 0, squares = 0;  // of the logarithm of true over file's focal length
 
-  double way_since_view(const std::vector<FollowedCorner>& corners) const;
+  std::vector<double> ways_since_view(const std::vector<FollowedCorner>& corners) const;
   void add_view(const std::vector<FollowedCorner>& corners);
   void measure();
 };
@@ -39,20 +40,27 @@ FocalByCorners::FocalByCorners(const Rectification& rectification) : impl_(std::
 FocalByCorners::~FocalByCorners() = default;
 FocalByCorners::FocalByCorners(FocalByCorners&&) noexcept = default;
 
-// Median over the corners of the last view that are still followed; infinite if few are.
-double FocalByCorners::Impl::way_since_view(const std::vector<FollowedCorner>& corners) const {
+// Those of the corners of the last view that are still followed, widths of the image.
+std::vector<double> FocalByCorners::Impl::ways_since_view(const std::vector<FollowedCorner>& corners) const {
+  const double to_widths = rectification.target().fx / rectification.target().width;
   std::vector<double> ways;
   auto before = views.back().corners.begin();
   const auto end = views.back().corners.end();
   for (const FollowedCorner& c : corners) {
     while (before != end && before->id < c.id) ++before;
-    if (before != end && before->id == c.id) ways.push_back((c.ray - before->ray).norm());
+    if (before != end && before->id == c.id) ways.push_back(to_widths * (c.ray - before->ray).norm());
   }
-  return ways.empty() ? 0 : median(ways) * rectification.target().fx / rectification.target().width;
+  return ways;
 }
 
 void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) {
-  if (!views.empty() && way_since_view(corners) < kLeastWay) return;
+  if (!views.empty()) {
+    const std::vector<double> ways = ways_since_view(corners);
+    if (ways.size() < kLeastFollowed)
+      views.clear();
+    else if (median(ways) < kLeastWay)
+      return;
+  }
   views.push_back({T_cam_path, corners});
   if (views.size() < kViews) return;
   const SE3 motion = views.back().T_cam_path * views.front().T_cam_path.inverse();

@@ -15,7 +15,8 @@ struct Drive {
   double turn = 0.01;
   double file_over_true = 1;  // focal length
   double noise_px = 0.1;
-  double outliers = 0;  // share of the corners that slide
+  double outliers = 0;   // share of the corners that slide
+  int all_lost_at = -1;  // frame at which every corner gets a new number
   uint64_t seed = 1;
 };
 
@@ -48,7 +49,8 @@ std::optional<FocalError> error_after(const Drive& drive, int frames = 120) {
       if (!camera.contains(px)) continue;
       px += drive.noise_px * Eigen::Vector2d(random.normal(), random.normal());
       if (double(i % 100) < 100 * drive.outliers) px.x() += 0.7 * f;
-      corners.push_back({uint32_t(i), file.ray(px)});
+      const uint32_t first_id = drive.all_lost_at >= 0 && f >= drive.all_lost_at ? 10000 : 0;
+      corners.push_back({first_id + uint32_t(i), file.ray(px)});
     }
     if (corners.size() > 80) corners.resize(80);
     // The odometry turns by as much as the file says.
@@ -97,6 +99,12 @@ TEST(FocalByCorners, SaysNothingWithoutATurn) {
 }
 
 TEST(FocalByCorners, SaysNothingBeforeThereAreSixViews) { EXPECT_FALSE(error_after(Drive(), 3)); }
+
+TEST(FocalByCorners, GoesOnAfterAllCornersAreLost) {
+  Drive drive;
+  drive.all_lost_at = 2;
+  EXPECT_TRUE(error_after(drive));
+}
 
 TEST(FocalByCorners, IsTheSameEachTime) {
   EXPECT_EQ(error_after(Drive())->value, error_after(Drive())->value);
