@@ -14,10 +14,11 @@ constexpr size_t kViews = 6;
 constexpr size_t kLeastFollowed = 15;  // from view to view: where fewer are, a new window begins
 constexpr double kLeastWay = 0.03;     // median way of the corners between two views, widths of the image
 constexpr double kLeastTurn = 0.05;    // radians over a window: a way straight on shows no focal length
-constexpr int kLeastWindows = 2, kMostWindows = 8;
-// Of windows against each other, and what all may share: rows that are read out one after another, a residual
+constexpr size_t kLeastWindows = 2, kMostWindows = 9;  // odd: for the median
+constexpr double kMostSigma = 0.15;                    // of a window that counts, relative
+// Least scatter of windows, and what all may share: rows that are read out one after another, a residual
 // distortion. Relative.
-constexpr double kScatter = 0.05, kCommon = 0.04;
+constexpr double kLeastScatter = 0.05, kCommon = 0.04;
 
 }  // namespace
 
@@ -26,8 +27,7 @@ struct FocalByCorners::Impl {
   std::vector<CornerSights> views;
   SE3 T_cam_path;
   double k1 = 0;
-  int windows = 0;
-  double information = 0, weighted = 0, squares = 0;  // of the logarithm of true over file's focal length
+  std::vector<double> windows;  // logarithm of true over file's focal length
 
   std::vector<double> ways_since_view(const std::vector<FollowedCorner>& corners) const;
   void add_view(const std::vector<FollowedCorner>& corners);
@@ -70,30 +70,29 @@ void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) 
 
 void FocalByCorners::Impl::measure() {
   const std::optional<FocalError> found = adjust_corners(rectification, views, k1);
-  if (!found) return;
-  const double log_focal = std::log1p(found->value), relative = found->sigma / (1 + found->value);
-  const double weight = 1 / (relative * relative + kScatter * kScatter);
-  information += weight, weighted += weight * log_focal, squares += weight * log_focal * log_focal;
-  ++windows;
+  if (found && found->sigma < kMostSigma) windows.push_back(std::log1p(found->value));
 }
 
 void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last,
                          double k1) {
-  if (impl_->windows >= kMostWindows) return;
+  if (impl_->windows.size() >= kMostWindows) return;
   if (!T_cur_last || k1 != impl_->k1) impl_->views.clear();
   impl_->T_cam_path = impl_->views.empty() ? SE3() : *T_cur_last * impl_->T_cam_path;
   impl_->k1 = k1;
   impl_->add_view(corners);
 }
 
-// Windows that contradict each other say so: their scatter, where it is larger than stated, is the error's.
+// One window of five is off by far more than it states: hence the median, and the windows' own scatter.
 std::optional<FocalError> FocalByCorners::error() const {
-  const Impl& w = *impl_;
-  if (w.windows < kLeastWindows) return std::nullopt;
-  const double mean = w.weighted / w.information;
-  const double scatter = (w.squares - mean * w.weighted) / (w.windows - 1);  // expected: 1
-  const double sigma = std::sqrt(std::max(1.0, scatter) / w.information + kCommon * kCommon);
-  return FocalError{std::expm1(mean), std::exp(mean) * sigma};
+  constexpr double kSigmaOverMad = 1.48, kSigmaOfMedian = 1.25;  // of a normal distribution; over the mean's
+  const std::vector<double>& windows = impl_->windows;
+  if (windows.size() < kLeastWindows) return std::nullopt;
+  const double middle = median(windows);
+  std::vector<double> deviations;
+  for (const double w : windows) deviations.push_back(std::abs(w - middle));
+  const double scatter = std::max(kLeastScatter, kSigmaOverMad * median(deviations));
+  const double sigma = std::hypot(kSigmaOfMedian * scatter / std::sqrt(double(windows.size())), kCommon);
+  return FocalError{std::expm1(middle), std::exp(middle) * sigma};
 }
 
 }  // namespace edgevo

@@ -33,7 +33,7 @@ class FocalByCorners {
 
   /// Takes the corners of the next image, whose residual distortion `k1` has not been removed from them, and
   /// the motion since the last image, in any unit; nothing: the motion is unknown, and a new window begins.
-  /// Cost: hardly any, but 3 ms where a window in which the camera has turned is complete; at most eight
+  /// Cost: hardly any, but 3 ms where a window in which the camera has turned is complete; at most nine
   /// such windows are measured.
   void add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last, double k1);
   /// The windows up to now together; nothing: fewer than two have shown the focal length.
