@@ -102,10 +102,13 @@ std::vector<Track> without_outliers(const std::vector<Track>& tracks, const std:
   return kept;
 }
 
-CameraSearch search_from(const CameraError& start) {
+// A distortion that the file lacks looks like a longer focal length in a turn: it is free, near what is
+// known.
+CameraSearch search_from(const CameraError& start, double k1) {
   CameraSearch search;
   search.start = start;
-  search.free = only({kFocal});
+  search.free = only({kFocal, kK1});
+  search.prior[kK1] = k1;
   return search;
 }
 
@@ -123,7 +126,7 @@ std::optional<FocalError> adjust_corners(const Rectification& rectification,
   for (int round = 0; round < kRounds; ++round) {
     if (tracks.size() < kLeastCorners) return std::nullopt;
     const CameraProblem problem = make_problem(rectification, placed, tracks);
-    found = estimate_camera(problem, search_from(error), options);
+    found = estimate_camera(problem, search_from(error, k1), options);
     if (!found.usable) return std::nullopt;
     error = found.value;
     for (size_t v = 0; v < placed.size(); ++v) placed[v].T_cam_path = found.solution.poses[v].T_cam_world;
