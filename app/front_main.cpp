@@ -92,8 +92,7 @@ int run(const Words& words) {
 }  // namespace edgevo::app
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF,
-               BUFSIZ);  // lines in their order, also where stderr goes to the same file
+  edgevo::app::print_line_by_line();
   using namespace edgevo::app;
   try {
     return end_of_output(run(Words(argv, argv + argc)));

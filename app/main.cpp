@@ -28,8 +28,7 @@ int report(const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::setvbuf(stdout, nullptr, _IOLBF,
-               BUFSIZ);  // lines in their order, also where stderr goes to the same file
+  edgevo::app::print_line_by_line();
   CLI::App app(
       "Monocular edge visual odometry: computes a trajectory and an edge map from the images of one moving "
       "camera.");

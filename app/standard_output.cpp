@@ -7,6 +7,8 @@
 
 namespace edgevo::app {
 
+void print_line_by_line() { std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ); }
+
 int end_of_output(int code) {
   constexpr int kBadOutput = 2;
   errno = 0;

@@ -51,7 +51,7 @@ std::string link_in_words(const UnitComparison& unit) {
   if (!unit.is_linked()) return "nothing links the unit of length after it to that before";
   char text[120];
   std::snprintf(text, sizeof text,
-                "only the height over the ground links the unit of length after it to that before (times "
+                "the height over the ground links the unit of length after it to that before (times "
                 "%.3g +- %.1f %%)",
                 unit.ratio, 100 * unit.sigma);
   return text;

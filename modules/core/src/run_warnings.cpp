@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/run_warnings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -14,11 +15,14 @@ struct SeenFocalLength {
   double error = 0, sigma = 0;
 };
 
-// Corners show all of an error, matches two fifths of it, but small ones more exactly.
+// Corners show most of an error, matches two fifths of it, but small ones more exactly.
 std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
   constexpr double kSigmas = 3;
-  if (!run.frames.empty()) {
-    const FrameEvidence& e = run.frames.back().evidence;
+  const auto newest = std::find_if(run.frames.rbegin(), run.frames.rend(), [](const FrameRecord& frame) {
+    return std::isfinite(frame.evidence.focal_error);
+  });
+  if (newest != run.frames.rend()) {
+    const FrameEvidence& e = newest->evidence;
     if (std::abs(e.focal_error) > kSigmas * e.focal_error_sigma)
       return SeenFocalLength{e.focal_error, e.focal_error_sigma};
   }

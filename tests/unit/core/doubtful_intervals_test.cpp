@@ -110,7 +110,7 @@ TEST(DoubtfulIntervals, ANewMapThatTheGroundLinksIsOneToo) {
   edgevo::Run run = run_of(120);
   run.frames[100].evidence.unit = UnitComparison{0.9, 0.02, true};
   EXPECT_THAT(texts(run),
-              ElementsAre("frame 200: only the height over the ground links the unit of length after it to "
+              ElementsAre("frame 200: the height over the ground links the unit of length after it to "
                           "that before (times 0.9 +- 2.0 %)"));
 }
 

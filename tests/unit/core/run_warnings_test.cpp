@@ -47,6 +47,18 @@ TEST(RunWarnings, AFocalLengthThatTheMotionContradicts) {
 }
 
 // A wrong camera file is named, and not only straight motion, even where the estimate is too uncertain.
+// Corners show most of a large error, matches a part.
+TEST(RunWarnings, AFocalLengthThatTheCornersContradict) {
+  edgevo::Run run;
+  run.frames.resize(3);
+  run.frames[1].evidence.focal_error = 0.22, run.frames[1].evidence.focal_error_sigma = 0.08;
+  EXPECT_THAT(run_warnings(run), IsEmpty()) << "within three standard deviations";
+  run.frames[1].evidence.focal_error_sigma = 0.05;
+  run.camera.lens.focal = 0.08, run.camera.lens.focal_sigma = 0.01;
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 22.0 +- 5.0 % off")))
+      << "the newest frame may lack it";
+}
+
 TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {
   edgevo::Run run;
   run.camera.state = CameraRefinement::State::kNotObservable;

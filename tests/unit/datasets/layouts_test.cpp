@@ -248,12 +248,17 @@ TEST(ImageFolder, ColourGivesCvtColorWeights) {
   EXPECT_EQ(frames.at(0).image.pixels, (std::vector<uint8_t>{76, 150, 29}));
 }
 
+std::map<std::string, std::string> description_of(const std::string& folder) {
+  std::map<std::string, std::string> lines;
+  for (const auto& [name, value] : describe(*open_source(source(folder)))) lines[name] = value;
+  return lines;
+}
+
 TEST(DescribeSource, SaysWhatIsThere) {
   TempFolder folder;
   test::write_edgevo_layout(folder.path(), 5);
   write_text(folder / "times.txt", "0\n0.1\n0.2\n1.2\n1.3\n");
-  std::map<std::string, std::string> lines;
-  for (const auto& [name, value] : describe(*open_source(source(folder.path())))) lines[name] = value;
+  std::map<std::string, std::string> lines = description_of(folder.path());
   EXPECT_EQ(lines["frames"], "5");
   EXPECT_EQ(lines["image size"], "24 x 16");
   EXPECT_EQ(lines["rate"], "10.00 Hz (median step 100.00 ms)");
@@ -265,8 +270,7 @@ TEST(DescribeSource, SaysThatAListRunsBackwards) {
   TempFolder folder;
   test::write_edgevo_layout(folder.path(), 5);
   write_text(folder / "times.txt", "1.3\n1.2\n0.2\n0.1\n0\n");
-  std::map<std::string, std::string> lines;
-  for (const auto& [name, value] : describe(*open_source(source(folder.path())))) lines[name] = value;
+  std::map<std::string, std::string> lines = description_of(folder.path());
   EXPECT_EQ(lines["wrong times"], "4 frames are not after the one before; the first is frame 1");
   EXPECT_THAT(lines["order"], HasSubstr("backwards"));
   EXPECT_THAT(lines["WARNING"], HasSubstr("turn the list round"));

@@ -51,11 +51,12 @@ std::string shutter_statement(const CameraRefinement::Shutter& s, double readout
 
 void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
   if (l.keyframes == 0) return;
-  y->text("lens_result", l.contradicts_file()
-                             ? "not applied: the focal length contradicts the camera file"
-                             : "not applied: the focal length agrees with the camera file's to three "
-                               "standard deviations, " +
-                                   fixed(300 * l.focal_sigma, 1) + " %; a smaller error may not show");
+  y->text("lens_result",
+          l.contradicts_file()
+              ? "not applied: the matches contradict the focal length of the camera file"
+              : "not applied: by the matches, the focal length agrees with the camera file's to three "
+                "standard deviations, " +
+                    fixed(300 * l.focal_sigma, 1) + " %; a smaller error may not show");
   y->number("lens_k1", l.k1, 5);
   y->number("lens_k1_standard_deviation", l.k1_sigma, 4);
   y->number("lens_k2", l.k2, 5);

@@ -48,7 +48,7 @@ std::vector<DoubtfulInterval> longest(std::vector<DoubtfulInterval> intervals, s
 /// time order; of an interval without any p_right its first frame.
 std::vector<size_t> most_doubtful_frames(const Run& run, size_t most);
 
-/// The reason, and that nothing or only the ground links the unit of length, if so; empty: unknown.
+/// The reason, and that nothing or the ground links the unit of length, if so; empty: unknown.
 std::string why(const DoubtfulInterval& interval);
 
 /// The interval in words: "frames 42 to 124: scale of the corners fell by 0.4 in 12 frames".

@@ -116,8 +116,8 @@ struct FrameEvidence {
   /// Its standard deviation.
   double focal_error_sigma = std::numeric_limits<double>::quiet_NaN();
 
-  /// The unit of length, at the first frame that is sure again after a doubt; nothing elsewhere, and where
-  /// the map is still seen from a keyframe of before.
+  /// The unit of length, at the first frame that is sure again after a doubt, as known then or later; nothing
+  /// elsewhere, and where the map is still seen from a keyframe of before.
   std::optional<UnitComparison> unit;
 
   /// What corners say about the pose; nothing without a pose, and with health.corners off.

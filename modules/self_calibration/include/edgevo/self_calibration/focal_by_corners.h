@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The focal length from corners that are followed through the images (witness/corner_witness.h). Matches of
-// edges are sought where the map predicts them, and the map was made with the camera file: of an error of 20
-// % they show two fifths. Corners are followed without the map, so that a bundle of their own, poses and
-// depths free, shows all of it once the camera has turned.
+// edges are sought where the map predicts them, and the map was made with the camera file: of an error of a
+// fifth they show two fifths. Corners are followed without the map, so that a bundle of their own, poses and
+// depths free, shows most of it once the camera has turned.
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
