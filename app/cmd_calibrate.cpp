@@ -51,7 +51,8 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
   return run;
 }
 
-std::string finding(const CameraRefinement& c) {
+std::string finding_of_k1(const CameraRefinement& c) {
+  if (c.sigma == 0) return "k1 was not estimated";
   if (c.state == CameraRefinement::State::kInsignificant)
     return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
            ", " + std::to_string(c.keyframes) + " keyframes): the camera stays as it was";
@@ -59,14 +60,24 @@ std::string finding(const CameraRefinement& c) {
          " (one standard deviation), from " + std::to_string(c.keyframes) + " keyframes";
 }
 
-void print_lens(const char* name, const Distortion& d) {
-  std::printf("  %-7s %11.6f %11.6f %11.6f %11.6f %11.6f\n", name, d.k1, d.k2, d.p1, d.p2, d.k3);
+std::string finding(const CameraRefinement& c) {
+  const CameraRefinement::FocalLength& f = c.focal_length;
+  if (c.correction.focal == 0) return finding_of_k1(c);
+  return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * f.sigma, 1) +
+         " % off the file's, by corners in " + std::to_string(f.windows) + " windows of views; " +
+         finding_of_k1(c);
+}
+
+void print_lens(const char* name, const Camera& camera) {
+  const Distortion d = camera.distortion();
+  std::printf("  %-7s %11.4f %11.6f %11.6f %11.6f %11.6f %11.6f\n", name, camera.pinhole().fx, d.k1, d.k2,
+              d.p1, d.p2, d.k3);
 }
 
 void print_change(const Camera& before, const FoldedCamera& after) {
-  std::printf("  %-7s %11s %11s %11s %11s %11s\n", "", "k1", "k2", "p1", "p2", "k3");
-  print_lens("before", before.distortion());
-  print_lens("after", after.camera.distortion());
+  std::printf("  %-7s %11s %11s %11s %11s %11s %11s\n", "", "fx", "k1", "k2", "p1", "p2", "k3");
+  print_lens("before", before);
+  print_lens("after", after.camera);
   std::printf(
       "image points move by up to %.2f px; the new lens model fits both distortions within %.4f px, rms %.4f "
       "px\n",
@@ -76,7 +87,8 @@ void print_change(const Camera& before, const FoldedCamera& after) {
 void print_lens_seen(const CameraRefinement::Lens& l) {
   if (l.keyframes == 0) return;
   std::printf(
-      "with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length %+.1f +- %.1f %%; not "
+      "by the matches, with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length %+.1f "
+      "+- %.1f %%; not "
       "in the file (edgevo calibrate --from-motion writes all of them)\n",
       l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma);
 }
@@ -97,7 +109,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
   write_file(args.out,
              camera_file_text(corrected.camera, args.format, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
-  if (run.refinement.correction.k1 != 0) print_change(run.camera, corrected);
+  if (!run.refinement.correction.keeps_lens()) print_change(run.camera, corrected);
   print_lens_seen(run.refinement.lens);
   if (run.refinement.correction.readout_s != 0)
     std::printf(

@@ -27,10 +27,10 @@ std::vector<double> positions(int last, double step) {
   return all;
 }
 
-// A lens with a residual distortion.
+// A lens by its file, and what that has wrong.
 struct Lens {
   const Camera& camera;
-  double k1;
+  ImageCorrection residual;
 };
 
 // True rays, normalised, of a grid of pixels of the distorted image; pixels without a ray are skipped.
@@ -43,7 +43,7 @@ Rays image_rays(const Lens& lens, const std::string& where) {
     for (const double u : positions(camera.width - 1, step)) {
       ++pixels;
       const std::optional<Eigen::Vector3d> ray = camera.unproject({u, v});
-      if (ray) rays.push_back(remove_radial(lens.k1, ray->hnormalized()));
+      if (ray) rays.push_back(remove_lens(lens.residual, ray->hnormalized()));
     }
   if (2 * rays.size() < pixels)
     throw InputError(where, "the lens model cannot be inverted over most of the image",
@@ -60,7 +60,7 @@ void plumb_bob_rows(const Pinhole& c, const Eigen::Vector2d& x, Row* row_u, Row*
 }
 
 Eigen::Vector2d pixel(const Lens& lens, const Eigen::Vector2d& x) {
-  return Rectification(lens.camera).raw_pixel(add_radial(lens.k1, x));
+  return Rectification(lens.camera).raw_pixel(add_lens(lens.residual, x));
 }
 
 // Distance between the two models at each ray, pixels.
@@ -71,37 +71,41 @@ Eigen::ArrayXd differences(const Lens& a, const Lens& b, const Rays& rays) {
   return d;
 }
 
-// Correction to the file's coefficients: the smallest one if a narrow lens leaves some of them undetermined.
-Eigen::Matrix<double, 5, 1> fit_change(const Lens& lens, const Lens& by_file, const Rays& rays) {
+// Correction to the coefficients of `start`: the smallest one if a narrow lens leaves some of them
+// undetermined.
+Eigen::Matrix<double, 5, 1> fit_change(const Lens& lens, const Lens& start, const Rays& rays) {
   Eigen::Matrix<double, Eigen::Dynamic, 5> A(2 * rays.size(), 5);
   Eigen::VectorXd b(2 * rays.size());
   for (size_t i = 0; i < rays.size(); ++i) {
     Row row_u, row_v;
-    plumb_bob_rows(lens.camera.pinhole(), rays[i], &row_u, &row_v);
+    plumb_bob_rows(start.camera.pinhole(), rays[i], &row_u, &row_v);
     A.row(2 * Eigen::Index(i)) = row_u;
     A.row(2 * Eigen::Index(i) + 1) = row_v;
-    b.segment<2>(2 * Eigen::Index(i)) = pixel(lens, rays[i]) - pixel(by_file, rays[i]);
+    b.segment<2>(2 * Eigen::Index(i)) = pixel(lens, rays[i]) - pixel(start, rays[i]);
   }
   return A.completeOrthogonalDecomposition().solve(b);
 }
 
 }  // namespace
 
-FoldedCamera fold_residual(const Camera& camera, double k1, const std::string& where) {
+FoldedCamera fold_residual(const Camera& camera, const ImageCorrection& residual, const std::string& where) {
   FoldedCamera folded;
   folded.camera = camera;
-  if (k1 == 0) return folded;
-  const Lens lens{camera, k1}, by_file{camera, 0};
+  if (residual.keeps_lens()) return folded;
+  const Lens lens{camera, residual}, by_file{camera, {}};
   const Rays rays = image_rays(lens, where);
+  Pinhole longer = camera.pinhole();
+  longer.fx *= 1 + residual.focal, longer.fy *= 1 + residual.focal;
+  folded.camera.set_pinhole(longer);
   Distortion d = camera.distortion();
   if (d.is_zero()) {
-    d.k1 = k1;
+    d.k1 = residual.k1;
   } else {
-    const Eigen::Matrix<double, 5, 1> change = fit_change(lens, by_file, rays);
+    const Eigen::Matrix<double, 5, 1> change = fit_change(lens, {folded.camera, {}}, rays);
     d = {d.k1 + change[0], d.k2 + change[1], d.p1 + change[2], d.p2 + change[3], d.k3 + change[4]};
   }
   folded.camera.set_distortion(d);
-  const Eigen::ArrayXd errors = differences(lens, {folded.camera, 0}, rays);
+  const Eigen::ArrayXd errors = differences(lens, {folded.camera, {}}, rays);
   folded.rms_error_px = std::sqrt(errors.square().mean());
   folded.max_error_px = errors.maxCoeff();
   folded.max_shift_px = differences(lens, by_file, rays).maxCoeff();

@@ -62,7 +62,7 @@ State state_of(const std::string& name) {
 void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
   const auto g = v.group("self_calibration");
   std::string result;  // the states in words
-  std::string shutter = to_string(State::kOff);
+  std::string shutter = to_string(State::kOff), focal = shutter;
   v.text("state", *state, refinement_state_names(), "");
   v.text("result", result, {}, "");
   const Numbers any;
@@ -70,6 +70,14 @@ void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
   any.read(v, "estimate", c->estimate);
   any.read(v, "standard_deviation", c->sigma);
   v.integer("keyframes", c->keyframes, 0, std::numeric_limits<int>::max(), "");
+  CameraRefinement::FocalLength& f = c->focal_length;
+  v.text("focal", focal, refinement_state_names(), "");
+  v.text("focal_result", result, {}, "");
+  any.read(v, "residual_focal", c->correction.focal);
+  any.read(v, "focal_estimate", f.estimate);
+  any.read(v, "focal_standard_deviation", f.sigma);
+  v.integer("focal_windows", f.windows, 0, std::numeric_limits<int>::max(), "");
+  f.state = state_of(focal);
   CameraRefinement::Shutter& s = c->shutter;
   v.text("shutter", shutter, refinement_state_names(), "");
   v.text("shutter_result", result, {}, "");
@@ -111,6 +119,9 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
 }
 
 FoldedCamera corrected_camera(const RunCalibration& run) {
+  // Whatever is known of k1.
+  if (run.refinement.correction.focal != 0)
+    return fold_residual(run.camera, run.refinement.correction, run.path);
   switch (run.refinement.state) {
     case State::kOff:
       throw InputError(run.path, "self-calibration was off", "run again without --set camera.refine=none");
@@ -130,7 +141,7 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
     case State::kApplied:
       break;
   }
-  return fold_residual(run.camera, run.refinement.correction.k1, run.path);
+  return fold_residual(run.camera, run.refinement.correction, run.path);
 }
 
 }  // namespace edgevo

@@ -32,25 +32,24 @@ Eigen::Vector2d Rectification::raw_pixel(const Eigen::Vector2d& x_file) const {
   return camera_.project({x_file.x(), x_file.y(), 1}).value_or(Eigen::Vector2d(kNone, kNone));
 }
 
-// The area of a pixel reaches half a pixel beyond its centre. NaN is missing.
-bool Rectification::is_missing(const Eigen::Vector2d& x_file, const Eigen::Vector2d& raw,
-                               double max_tangent) const {
-  if (!(x_file.norm() <= max_tangent)) return true;
-  return masks_outside_ && !(raw.x() >= -0.5 && raw.y() >= -0.5 && raw.x() <= camera_.width - 0.5 &&
-                             raw.y() <= camera_.height - 0.5);
+// The area of a pixel reaches half a pixel beyond its centre. NaN is outside.
+bool Rectification::is_outside(const Eigen::Vector2d& raw) const {
+  return !(raw.x() >= -0.5 && raw.y() >= -0.5 && raw.x() <= camera_.width - 0.5 &&
+           raw.y() <= camera_.height - 0.5);
 }
 
-RectificationMaps Rectification::maps(double k1) const {
+RectificationMaps Rectification::maps(const ImageCorrection& lens) const {
   RectificationMaps maps{target_.width, target_.height, {}, {}, {}};
   const size_t size = size_t(target_.width) * target_.height;
   maps.x.reserve(size);
   maps.y.reserve(size);
   const double largest = max_tangent(camera_);
+  const bool masks_outside = masks_outside_ || lens.focal != 0;
   for (int v = 0; v < target_.height; ++v)
     for (int u = 0; u < target_.width; ++u) {
-      const Eigen::Vector2d x_file = add_radial(k1, target_.ray({double(u), double(v)}).head<2>());
+      const Eigen::Vector2d x_file = add_lens(lens, target_.ray({double(u), double(v)}).head<2>());
       const Eigen::Vector2d raw = raw_pixel(x_file);
-      if (is_missing(x_file, raw, largest)) {
+      if (!(x_file.norm() <= largest) || (masks_outside && is_outside(raw))) {
         maps.missing.resize(size);
         maps.missing[maps.x.size()] = kMissing;
       }

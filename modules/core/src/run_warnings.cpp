@@ -27,6 +27,7 @@ std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
       return SeenFocalLength{e.focal_error, e.focal_error_sigma};
   }
   const CameraRefinement::Lens& lens = run.camera.lens;
+  if (run.camera.correction.focal != 0) return std::nullopt;
   if (lens.contradicts_file()) return SeenFocalLength{lens.focal, lens.focal_sigma};
   return std::nullopt;
 }
@@ -58,6 +59,12 @@ std::vector<std::string> run_warnings(const Run& run) {
                        fixed(100 * seen->sigma, 1) +
                        " % off the camera file's: calibrate the camera (edgevo calibrate --chessboard, or "
                        "--from-motion).");
+  if (c.correction.focal != 0)
+    warnings.push_back(
+        "The focal length is " + fixed(100 * c.correction.focal, 1) + " +- " +
+        fixed(100 * c.focal_length.sigma, 1) +
+        " % off the camera file's, by the motion, and was corrected during the run. Run again with a "
+        "camera file of edgevo calibrate RUN, or of a board (edgevo calibrate --chessboard).");
   if (c.shutter.state == CameraRefinement::State::kAtLimit)
     warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
                        " s) is at its limit and was not applied: the camera file or the times of the images "

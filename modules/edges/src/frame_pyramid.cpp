@@ -99,8 +99,8 @@ struct PyramidBuilder::Impl {
     const auto made = std::make_shared<LensTables>();
     lens = made;
     rolling.reset();
-    if ((rectification.is_identity() && correction.k1 == 0) || !has_area()) return;
-    const RectificationMaps maps = rectification.maps(correction.k1);
+    if ((rectification.is_identity() && correction.keeps_lens()) || !has_area()) return;
+    const RectificationMaps maps = rectification.maps(correction);
     made->undistortion.emplace(maps, rectification.camera().width, rectification.camera().height);
     if (!maps.missing.empty()) made->missing = widened(maps);
   }
@@ -119,7 +119,7 @@ struct PyramidBuilder::Impl {
   Plane<T> undistort(const ImageView<T>& image, const ImageMotion& motion) {
     Plane<T> out(target().width, target().height);
     if (correction.readout_s != 0 && motion.is_known() && has_area()) {
-      if (!rolling) rolling = std::make_shared<ShiftedUndistortion>(rectification.maps(correction.k1));
+      if (!rolling) rolling = std::make_shared<ShiftedUndistortion>(rectification.maps(correction));
       rolling->apply(rolling_shift(motion), image, &out);
     } else if (lens->undistortion) {
       lens->undistortion->apply(image, &out);
@@ -140,14 +140,14 @@ struct PyramidBuilder::Impl {
         const Eigen::Vector2d x =
             p.ray({double(column * ShiftGrid::kCell), double(row * ShiftGrid::kCell)}).head<2>();
         const Eigen::Vector2d shift =
-            raw_pixel(add_rolling(rectification, correction.readout_s, motion, x)) - raw_pixel(x);
+            raw_pixel(add_rolling(rectification, row_time(correction), motion, x)) - raw_pixel(x);
         if (shift.allFinite()) grid.set(column, row, float(shift.x()), float(shift.y()));  // else 0
       }
     return grid;
   }
 
   Eigen::Vector2d raw_pixel(const Eigen::Vector2d& x) const {
-    return rectification.raw_pixel(add_radial(correction.k1, x));
+    return rectification.raw_pixel(add_lens(correction, x));
   }
 
   // `border`, `own`: masks of the finest level, or empty; `likely`: probability on this level, or empty.
@@ -222,7 +222,7 @@ const Pinhole& PyramidBuilder::pinhole() const { return impl_->target(); }
 ImageCorrection PyramidBuilder::correction() const { return impl_->correction; }
 
 void PyramidBuilder::set_correction(const ImageCorrection& correction) {
-  const bool is_other_lens = correction.k1 != impl_->correction.k1;
+  const bool is_other_lens = !correction.has_lens_of(impl_->correction);
   impl_->correction = correction;
   if (is_other_lens) impl_->make_maps();
 }

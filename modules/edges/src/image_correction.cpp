@@ -28,10 +28,10 @@ double row_shift(const Camera& camera, const Eigen::Vector2d& x, const Eigen::Ve
 
 // An image point that moves down with the read-out is met at a later row than the one at which it started:
 // row' = row + rate row' (share of the height), hence row' = row / (1 - rate). Returns 1 - rate.
-double rows_left(const Camera& camera, double readout_s, const Eigen::Vector2d& x,
+double rows_left(const Camera& camera, double row_time_s, const Eigen::Vector2d& x,
                  const Eigen::Vector2d& velocity) {
   if (camera.height < 2) return 1;
-  return std::max(kFewestRows, 1 - row_shift(camera, x, readout_s * velocity) / (camera.height - 1));
+  return std::max(kFewestRows, 1 - row_shift(camera, x, row_time_s * velocity) / (camera.height - 1));
 }
 
 }  // namespace
@@ -41,35 +41,35 @@ double shutter_row(const Camera& camera, const Eigen::Vector2d& x) {
   return px && camera.height > 1 ? px->y() / (camera.height - 1) - 0.5 : 0;
 }
 
-Eigen::Vector2d add_rolling(const Rectification& r, double readout_s, const ImageMotion& motion,
+Eigen::Vector2d add_rolling(const Rectification& r, double row_time_s, const ImageMotion& motion,
                             const Eigen::Vector2d& x) {
-  if (readout_s == 0 || !motion.is_known()) return x;
+  if (row_time_s == 0 || !motion.is_known()) return x;
   const Eigen::Vector2d velocity = motion.at(r.target(), x);
   return x +
-         readout_s * shutter_row(r.camera(), x) / rows_left(r.camera(), readout_s, x, velocity) * velocity;
+         row_time_s * shutter_row(r.camera(), x) / rows_left(r.camera(), row_time_s, x, velocity) * velocity;
 }
 
-Eigen::Vector2d rolling_rate(const Rectification& r, double readout_s, const ImageMotion& motion,
+Eigen::Vector2d rolling_rate(const Rectification& r, double row_time_s, const ImageMotion& motion,
                              const Eigen::Vector2d& x) {
   if (!motion.is_known()) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d velocity = motion.at(r.target(), x);
-  const double left = rows_left(r.camera(), readout_s, x, velocity);
+  const double left = rows_left(r.camera(), row_time_s, x, velocity);
   return shutter_row(r.camera(), x) / (left * left) * velocity;
 }
 
 Eigen::Vector2d to_file(const Rectification& r, const ImageCorrection& correction, const ImageMotion& motion,
                         const Eigen::Vector2d& x) {
-  return add_radial(correction.k1, add_rolling(r, correction.readout_s, motion, x));
+  return add_lens(correction, add_rolling(r, row_time(correction), motion, x));
 }
 
 Eigen::Vector2d from_file(const Rectification& r, const ImageCorrection& correction,
                           const ImageMotion& motion, const Eigen::Vector2d& x_file) {
-  const Eigen::Vector2d rolling = remove_radial(correction.k1, x_file);
+  const Eigen::Vector2d rolling = remove_lens(correction, x_file);
   if (correction.readout_s == 0 || !motion.is_known()) return rolling;
   Eigen::Vector2d x = rolling;
   double at_first = -1, at_last = 0;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Eigen::Vector2d error = add_rolling(r, correction.readout_s, motion, x) - rolling;
+    const Eigen::Vector2d error = add_rolling(r, row_time(correction), motion, x) - rolling;
     x -= error;
     at_last = error.squaredNorm();
     if (at_first < 0) at_first = at_last;
@@ -80,17 +80,18 @@ Eigen::Vector2d from_file(const Rectification& r, const ImageCorrection& correct
 
 Eigen::Matrix2d file_jacobian(const Rectification& r, const ImageCorrection& correction,
                               const ImageMotion& motion, const Eigen::Vector2d& x) {
-  const Eigen::Matrix2d radial =
-      radial_jacobian(correction.k1, add_rolling(r, correction.readout_s, motion, x));
-  if (correction.readout_s == 0 || !motion.is_known()) return radial;
+  const Eigen::Matrix2d lens =
+      (1 + correction.focal) *
+      radial_jacobian(correction.k1, add_rolling(r, row_time(correction), motion, x));
+  if (correction.readout_s == 0 || !motion.is_known()) return lens;
   Eigen::Matrix2d rolling;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector2d step = kDifference * Eigen::Vector2d::Unit(axis);
-    rolling.col(axis) = (add_rolling(r, correction.readout_s, motion, x + step) -
-                         add_rolling(r, correction.readout_s, motion, x - step)) /
+    rolling.col(axis) = (add_rolling(r, row_time(correction), motion, x + step) -
+                         add_rolling(r, row_time(correction), motion, x - step)) /
                         (2 * kDifference);
   }
-  return radial * rolling;
+  return lens * rolling;
 }
 
 }  // namespace edgevo

@@ -71,12 +71,12 @@ Plane<uint8_t> raw_area(const Plane<uint8_t>& area, int level, const Rectificati
   const Pinhole& pinhole = rectification.target();
   Plane<uint8_t> raw(rectification.camera().width, rectification.camera().height);
   as_mat(raw).setTo(0);
-  const bool same = rectification.is_identity() && correction.k1 == 0;
+  const bool same = rectification.is_identity() && correction.keeps_lens();
   for (int y = 0; y < pinhole.height; ++y)
     for (int x = 0; x < pinhole.width; ++x) {
       if (!area.at(std::min(x >> level, area.width() - 1), std::min(y >> level, area.height() - 1))) continue;
       Eigen::Vector2d px(x, y);
-      if (!same) px = rectification.raw_pixel(add_radial(correction.k1, pinhole.ray({px}).head<2>()));
+      if (!same) px = rectification.raw_pixel(add_lens(correction, pinhole.ray({px}).head<2>()));
       const int u = int(std::lround(px.x())), v = int(std::lround(px.y()));
       if (u >= 0 && v >= 0 && u < raw.width() && v < raw.height()) raw.at(u, v) = 255;
     }

@@ -28,4 +28,10 @@ Eigen::Vector2d correct_normal(const Rectification& r, const ImageCorrection& be
   return f.cwiseInverse().cwiseProduct(J.transpose() * f.cwiseProduct(normal)).normalized();
 }
 
+SE3 correct_motion(const SE3& T, double image_ratio) {
+  Vector6d motion = T.log();
+  motion.segment<2>(0) *= image_ratio, motion.segment<2>(3) *= image_ratio;
+  return SE3::exp(motion);
+}
+
 }  // namespace edgevo

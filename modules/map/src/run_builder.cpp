@@ -94,8 +94,9 @@ void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyf
 void RunBuilder::handle(const MapMoved& e) {
   ++moves_;
   if (forgets()) return;
+  const double image_ratio = e.lens ? (1 + e.lens->before.focal) / (1 + e.lens->now.focal) : 1;
   for (const KeyframeMove& move : e.keyframes) {
-    length_ratios_[move.id].emplace_back(moves_, move.length_ratio);
+    changes_[move.id].push_back({moves_, move.length_ratio, image_ratio});
     const auto known = keyframes_.find(move.id);
     // A keyframe that is still in the window is marginalised with its new values.
     if (known == keyframes_.end()) continue;
@@ -206,14 +207,14 @@ size_t RunBuilder::adopt_window() {
   return keyframes_.size() - before;
 }
 
-// Factor by which the unit of length near a keyframe has changed since that many moves of the map.
-double RunBuilder::length_ratio_since(int keyframe_id, int moves) const {
-  const auto known = length_ratios_.find(keyframe_id);
-  double ratio = 1;
-  if (known != length_ratios_.end())
-    for (const auto& [number, value] : known->second)
-      if (number > moves) ratio *= value;
-  return ratio;
+// What has changed near a keyframe since that many moves of the map.
+RunBuilder::Change RunBuilder::changes_since(int keyframe_id, int moves) const {
+  Change all{moves_, 1, 1};
+  const auto known = changes_.find(keyframe_id);
+  if (known == changes_.end()) return all;
+  for (const Change& c : known->second)
+    if (c.move > moves) all.length_ratio *= c.length_ratio, all.image_ratio *= c.image_ratio;
+  return all;
 }
 
 // A keyframe's frame takes the final pose of the keyframe: that was adjusted, unlike the pose from tracking.
@@ -238,8 +239,8 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
   if (row->mapping.adjustment) frame.evidence.adjustment = row->mapping.adjustment;
   if (!row->anchor || !is_known(frame.segment)) return;
   const FrameAnchor& anchor = *row->anchor;
-  const double length =
-      T_world_map(frame.segment).scale * length_ratio_since(anchor.keyframe_id, anchor.moves);
+  const Change change = changes_since(anchor.keyframe_id, anchor.moves);
+  const double length = T_world_map(frame.segment).scale * change.length_ratio;
   multiply_lengths(length, &frame);
   const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
   if (keyframe == position_of_keyframe.end()) {
@@ -247,7 +248,9 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
     return;
   }
   frame.reference_keyframe = keyframe->second;
-  const SE3 T_ref_cam = anchor.T_cam_ref.inverse();
+  const SE3 T_ref_cam =
+      (change.image_ratio == 1 ? anchor.T_cam_ref : correct_motion(anchor.T_cam_ref, change.image_ratio))
+          .inverse();
   const SE3 T_ref_cam_scaled(T_ref_cam.rotation(), length * T_ref_cam.translation());
   frame.T_world_cam = keyframes[size_t(keyframe->second)].T_world_cam * T_ref_cam_scaled;
 }

@@ -153,9 +153,9 @@ struct Bootstrap::Impl {
 
   // A rolling shutter skews the images of a camera that turns, each at the rate of its time.
   void straighten() {
-    const double readout_s = views.back().pyramid->correction.readout_s;
+    const double row_time_s = row_time(views.back().pyramid->correction);
     straight = corners_in_view;
-    if (readout_s == 0) return;
+    if (row_time_s == 0) return;
     std::vector<Timestamp> times;
     for (const BootstrapView& v : views) times.push_back(v.time);
     std::vector<ImageMotion> motions = turning_motions(pinhole, times, corners_in_view);
@@ -164,7 +164,7 @@ struct Bootstrap::Impl {
         motions[v] = {};
       else
         views[v].motion = motions[v];
-    straight = straighten_rows(rectification, readout_s, motions, corners_in_view);
+    straight = straighten_rows(rectification, row_time_s, motions, corners_in_view);
   }
 
   BootstrapStatus try_two_views() {

@@ -69,11 +69,11 @@ std::vector<ImageMotion> turning_motions(const Pinhole& pinhole, const std::vect
   return motions;
 }
 
-std::vector<Corners> straighten_rows(const Rectification& rectification, double readout_s,
+std::vector<Corners> straighten_rows(const Rectification& rectification, double row_time_s,
                                      const std::vector<ImageMotion>& motions,
                                      const std::vector<Corners>& views) {
   const Pinhole& pinhole = rectification.target();
-  const ImageCorrection rolling{0, readout_s};
+  const ImageCorrection rolling{0, row_time_s};
   std::vector<Corners> straight = views;
   for (size_t v = 0; v < views.size(); ++v) {
     if (!motions[v].is_known()) continue;

@@ -20,7 +20,7 @@ std::vector<ImageMotion> turning_motions(const Pinhole& pinhole, const std::vect
 
 /// The corners of each view at the time of its middle row. `motions` has one entry per view;
 /// unknown: the rows of that view are straight.
-std::vector<Corners> straighten_rows(const Rectification& rectification, double readout_s,
+std::vector<Corners> straighten_rows(const Rectification& rectification, double row_time_s,
                                      const std::vector<ImageMotion>& motions,
                                      const std::vector<Corners>& views);
 

@@ -14,6 +14,15 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
                   now.correction.k1, now.sigma, now.keyframes);
     lines.push_back(line);
   }
+  if (now.correction.focal != before.focal) {
+    const CameraRefinement::FocalLength& f = now.focal_length;
+    std::snprintf(line, sizeof line,
+                  now.correction.focal == 0
+                      ? "self-calibration: focal length %.1f +- %.1f %% off the file's, which is used again"
+                      : "self-calibration: focal length %.1f +- %.1f %% off the file's, corrected",
+                  100 * f.estimate, 100 * f.sigma);
+    lines.push_back(line);
+  }
   if (now.correction.readout_s != before.readout_s) {
     std::snprintf(line, sizeof line,
                   "self-calibration: rolling shutter, read-out %.4f +- %.4f s from %d keyframes, applied",

@@ -31,7 +31,7 @@ PoseByCorners CornerSearch::search(const CornerJob& job) {
       job.by_edges);
   if (job.rows.is_rolling())
     for (CornerPair& c : track.corners)
-      c.to = shift_ray(job.rows.cameras, job.rows.readout_s, job.rows.expected, job.measured, c.to);
+      c.to = shift_ray(job.rows.cameras, job.rows.row_time_s, job.rows.expected, job.measured, c.to);
   return {track.result.T_cur_ref, track.result.covariance, std::move(track.corners), thread_cpu_ms() - start};
 }
 

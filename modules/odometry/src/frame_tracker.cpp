@@ -116,7 +116,7 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
   const AlignmentParams& params = task.params.alignment;
   if (task.rows.is_rolling() && !scorer.is_lost(first)) {
     const ReferenceCloud shifted = shift_cloud(
-        task.rows.cameras, task.reference.cloud, first.T_cur_ref, task.rows.readout_s, task.rows.expected,
+        task.rows.cameras, task.reference.cloud, first.T_cur_ref, task.rows.row_time_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
     const PoseCandidate again =
         align(task.pyramid, shifted, {first.T_cur_ref, PoseHypothesis::Refinement::kFinestEdges}, params);

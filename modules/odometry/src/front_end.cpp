@@ -26,7 +26,7 @@ FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& par
 }
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
-  const RowRectification rows{builder_.correction().readout_s, expected_motion(has_pose), rectification_};
+  const RowRectification rows{row_time(builder_.correction()), expected_motion(has_pose), rectification_};
   newest_pyramid_ = builder_.build(frame, rows.expected);
   if (newest_pyramid_->still.empty()) standstill_.clear();
   return {frame, newest_pyramid_, rows, nullptr};
@@ -143,7 +143,7 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
   if (now.rows.is_rolling()) {
     tracked->pyramid = builder_.rebuild(*now.pyramid, tracked->motion);
     for (CornerPair& c : tracked->corners)
-      c.to = shift_ray(rectification_, now.rows.readout_s, now.rows.expected, tracked->motion, c.to);
+      c.to = shift_ray(rectification_, now.rows.row_time_s, now.rows.expected, tracked->motion, c.to);
   }
   // The first stage of a frame is Stage::kEdges.
   now.record->stage_ms.front().second += thread_cpu_ms() - start;

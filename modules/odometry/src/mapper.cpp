@@ -125,6 +125,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   if (reference_pose == known.end()) return update;
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
   if (frame.is_in_doubt) note_doubt(frame);
+  if (frame.focal_length) calibration_.note_focal_length(*frame.focal_length);
   drop_moving_points(frame, T_cam_world);
   filter_depths(frame, T_cam_world, &update.times);
   if (frame.make_keyframe)
@@ -358,6 +359,7 @@ void Mapper::publish(const Keyframe& keyframe) {
 
 void Mapper::close() {
   corrected_images_->finish();
+  if (calibration_.is_focal_length_due(*map_)) calibrate(true);
   if (!window_.keyframes().empty() && !window_.newest().is_doubtful) calibrate(true);
   corrected_images_->clear();
   keyframes_prepared_ = 0;

@@ -17,7 +17,8 @@ namespace edgevo {
 
 // Due at a few checkpoints only.
 void Mapper::calibrate_if_due(StageTimes* times) {
-  if (window_.newest().is_doubtful || (!calibration_.is_running() && !calibration_.is_due(*map_))) return;
+  if (window_.newest().is_doubtful && !calibration_.is_focal_length_due(*map_)) return;
+  if (!calibration_.is_running() && !calibration_.is_due(*map_)) return;
   const StageTimer timer(Stage::kSelfCalibration, times);
   calibrate_during_run();
 }

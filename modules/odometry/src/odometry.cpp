@@ -150,6 +150,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   record_pose(track.result, now.record, is_late);
   label(status, now.record);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
+  if (focal) tracked.focal_length = focal->error();
   watch_health(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
   if (is_late) {
@@ -174,9 +175,12 @@ void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE
   FrameEvidence& evidence = now.record->evidence;
   evidence.corners = corners->add(
       now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
-  focal->add(corners->followed(), T_cur_last, now.pyramid->correction.k1);
-  if (const std::optional<FocalError> found = focal->error())
-    evidence.focal_error = found->value, evidence.focal_error_sigma = found->sigma;
+  focal->add(corners->followed(), T_cur_last, now.pyramid->correction);
+  if (const std::optional<FocalError> found = focal->error()) {
+    const double in_use = 1 + now.pyramid->correction.focal;
+    evidence.focal_error = (1 + found->value) / in_use - 1,
+    evidence.focal_error_sigma = found->sigma / in_use;
+  }
 }
 
 void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late) {

@@ -61,7 +61,7 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
 }
 
 ReferenceCloud shift_cloud(const Rectification& rectification, const ReferenceCloud& cloud,
-                           const SE3& T_cur_ref, double readout_s, const ImageMotion& expected,
+                           const SE3& T_cur_ref, double row_time_s, const ImageMotion& expected,
                            const ImageMotion& measured) {
   const Pinhole& pinhole = rectification.target();
   ReferenceCloud shifted;
@@ -73,8 +73,8 @@ ReferenceCloud shift_cloud(const Rectification& rectification, const ReferenceCl
     if (!(Y.z() > 0)) continue;
     const Eigen::Vector2d x = Y.head<2>() / Y.z();
     if (!pinhole.contains(pinhole.project(Y))) continue;
-    const Eigen::Vector2d left = add_rolling(rectification, readout_s, measured, x) -
-                                 add_rolling(rectification, readout_s, expected, x);
+    const Eigen::Vector2d left = add_rolling(rectification, row_time_s, measured, x) -
+                                 add_rolling(rectification, row_time_s, expected, x);
     Y.head<2>() += Y.z() * left;
     const Eigen::Vector3d back = R_ref_cur * (Y - p.idepth * T_cur_ref.translation());
     if (!(back.z() > 0)) continue;
@@ -84,11 +84,11 @@ ReferenceCloud shift_cloud(const Rectification& rectification, const ReferenceCl
   return shifted;
 }
 
-Eigen::Vector3d shift_ray(const Rectification& rectification, double readout_s, const ImageMotion& expected,
+Eigen::Vector3d shift_ray(const Rectification& rectification, double row_time_s, const ImageMotion& expected,
                           const ImageMotion& measured, const Eigen::Vector3d& ray) {
   const Eigen::Vector2d x = ray.head<2>();
-  const Eigen::Vector2d left =
-      add_rolling(rectification, readout_s, expected, x) - add_rolling(rectification, readout_s, measured, x);
+  const Eigen::Vector2d left = add_rolling(rectification, row_time_s, expected, x) -
+                               add_rolling(rectification, row_time_s, measured, x);
   return {x.x() + left.x(), x.y() + left.y(), 1.0};
 }
 

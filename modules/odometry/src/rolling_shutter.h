@@ -11,14 +11,14 @@ namespace edgevo {
 
 /// How the rows of a frame's image were rectified.
 struct RowRectification {
-  /// Time from the first row to the last, seconds; 0: a global shutter.
-  double readout_s = 0;
+  /// row_time(), seconds; 0: a global shutter.
+  double row_time_s = 0;
   /// Motion that was expected, for which the rows were rectified.
   ImageMotion expected;
   /// Cameras of the raw and of the rectified images.
   Rectification cameras = {};
 
-  bool is_rolling() const { return readout_s != 0; }
+  bool is_rolling() const { return row_time_s != 0; }
 };
 
 /// Image motion of a camera that sees the cloud from T_cur_ref and moves by `twist` (of points in the camera
@@ -30,12 +30,12 @@ ImageMotion image_motion(const Pinhole& pinhole, const ReferenceCloud& cloud, co
 /// Shifts a cloud to where an image shows it that was rectified for `expected` while the camera moved as in
 /// `measured`: its points project to their positions in this image. The result has no patches.
 ReferenceCloud shift_cloud(const Rectification& rectification, const ReferenceCloud& cloud,
-                           const SE3& T_cur_ref, double readout_s, const ImageMotion& expected,
+                           const SE3& T_cur_ref, double row_time_s, const ImageMotion& expected,
                            const ImageMotion& measured);
 
 /// Shifts a ray (x, y, 1) measured in an image rectified for `expected` to where it is in one rectified for
 /// `measured`.
-Eigen::Vector3d shift_ray(const Rectification& rectification, double readout_s, const ImageMotion& expected,
+Eigen::Vector3d shift_ray(const Rectification& rectification, double row_time_s, const ImageMotion& expected,
                           const ImageMotion& measured, const Eigen::Vector3d& ray);
 
 }  // namespace edgevo

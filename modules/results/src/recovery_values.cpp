@@ -185,6 +185,9 @@ void visit_refinement(Visit& v, Refinement& c) {
   v.plain(c.state), v.plain(c.correction), v.plain(c.estimate), v.plain(c.sigma), v.plain(c.keyframes);
   auto& s = c.shutter;
   v.plain(s.state), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
+  auto& f = c.focal_length;
+  v.plain(f.state), v.plain(f.estimate), v.plain(f.sigma), v.plain(f.windows);
+  v.plain(f.windows_rejected);
   auto& l = c.lens;
   v.plain(l.k1), v.plain(l.k2), v.plain(l.focal), v.plain(l.k1_sigma), v.plain(l.k2_sigma);
   v.plain(l.focal_sigma), v.plain(l.keyframes);
@@ -192,7 +195,7 @@ void visit_refinement(Visit& v, Refinement& c) {
 
 template <class Visit, class Correction>
 void visit_correction(Visit& v, Correction& c) {
-  v.plain(c.k1), v.plain(c.readout_s);
+  v.plain(c.k1), v.plain(c.readout_s), v.plain(c.focal);
 }
 
 template <class Visit, class Move>

@@ -3,7 +3,8 @@
 // Everything about a camera that its file may have wrong, as unknowns of an adjustment:
 //     x_file = (1 + focal) x' (1 + k1 r^2 + k2 r^4) + centre,   r = |x'|
 // in normalised coordinates, with x' the true point x where the rolling shutter shows it
-// (image_correction.h). A run corrects k1 and the read-out time; the others are for a new camera file.
+// (image_correction.h). A run corrects k1, focal length and read-out time; the others are for a new camera
+// file.
 #include <Eigen/Core>
 
 #include "edgevo/bundle_adjustment/profile.h"
@@ -38,8 +39,6 @@ struct CameraError {
   ImageCorrection correction;
   /// Second radial coefficient.
   double k2 = 0;
-  /// Relative error of the focal length: the true one is (1 + focal) times that of the file.
-  double focal = 0;
   /// The true principal point less that of the file, over the file's focal length.
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();
 
@@ -48,11 +47,11 @@ struct CameraError {
   CameraError(const ImageCorrection& c) : correction(c) {}
   /// From the vector of unknowns.
   explicit CameraError(const ba::Unknowns& k)
-      : correction{k[kK1], k[kReadout]}, k2(k[kK2]), focal(k[kFocal]), centre(k[kCentreX], k[kCentreY]) {}
+      : correction{k[kK1], k[kReadout], k[kFocal]}, k2(k[kK2]), centre(k[kCentreX], k[kCentreY]) {}
   /// As the vector of unknowns.
   ba::Unknowns unknowns() const {
     ba::Unknowns k;
-    k << correction.k1, correction.readout_s, k2, focal, centre.x(), centre.y();
+    k << correction.k1, correction.readout_s, k2, correction.focal, centre.x(), centre.y();
     return k;
   }
 

@@ -7,6 +7,7 @@
 
 #include "edgevo/self_calibration/lens_estimate.h"
 #include "finding.h"
+#include "focal_length.h"
 #include "held_back.h"
 
 namespace edgevo {
@@ -50,6 +51,8 @@ class CameraFinder {
 
   CameraFinding run() {
     if (knew_more()) return nothing();
+    if (const std::optional<double> focal = focal_length_to_try(known_, params_.significance))
+      return try_focal_length(*focal);
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
@@ -61,7 +64,26 @@ class CameraFinder {
   }
 
  private:
-  CameraFinding nothing() const { return {state_, std::nullopt}; }
+  CameraFinding nothing() const { return {state_, std::nullopt, false}; }
+
+  CameraFinding try_focal_length(double focal) {
+    const CameraEstimate before = search(false, false);
+    CameraSearch s;
+    s.start = known_.correction;
+    s.start.correction.focal = focal;
+    s.free = only({});
+    CameraEstimate e =
+        estimate_camera(seen_with_focal_length(problem_, known_.correction.focal, focal), s, options_);
+    CameraRefinement::FocalLength& found = state_.focal_length;
+    if (!before.usable || !e.usable ||
+        !is_supported_by_map(known_, e.cost / before.cost, params_.significance)) {
+      found.windows_rejected = found.windows;
+      return {state_, std::nullopt, true};
+    }
+    state_.correction.focal = focal;
+    found.state = focal == 0 ? State::kInsignificant : State::kApplied;
+    return {state_, std::move(e), true};
+  }
 
   // A later, shorter segment knows less.
   bool knew_more() const {
@@ -142,14 +164,15 @@ class CameraFinder {
     if (readout) state_.correction.readout_s = over_relaxed(e.value.correction.readout_s);
     if (given_up) state_.correction.readout_s = params_.readout_s;
     if (readout || given_up || k1 != k1_free) e = search(k1, false);
-    if (!e.usable) return {known_, std::nullopt};
-    if (given_up && !k1) return {state_, std::move(e)};
+    if (!e.usable) return {known_, std::nullopt, false};
+    if (given_up && !k1) return {state_, std::move(e), false};
     if (!compare_on_held_back(problem_, e, by_file(), options_).allows_estimate()) return back_to_file();
     if (k1) state_.estimate = state_.correction.k1 = e.value.correction.k1;
-    return {state_, std::move(e)};
+    return {state_, std::move(e), false};
   }
 
-  ImageCorrection by_file() const { return {0, params_.readout_s}; }
+  // But for the focal length, which is not to be found in matches.
+  ImageCorrection by_file() const { return {0, params_.readout_s, known_.correction.focal}; }
 
   // What the estimate was not made of supports the camera file. Moves the map only if it was corrected
   // before.
@@ -159,8 +182,8 @@ class CameraFinder {
     state_.correction = by_file();
     if (known_.correction == state_.correction) return nothing();
     CameraEstimate e = search(false, false);
-    if (!e.usable) return {known_, std::nullopt};
-    return {state_, std::move(e)};
+    if (!e.usable) return {known_, std::nullopt, false};
+    return {state_, std::move(e), false};
   }
 
   double over_relaxed(double readout_s) const {

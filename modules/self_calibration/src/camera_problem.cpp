@@ -134,7 +134,7 @@ GlobalDerivative camera_derivative(const CameraProblem& problem, const CameraErr
   GlobalDerivative d;
   // inv_sigma grows with |D^T n|, which is proportional to 1 + focal. How it changes with the distortion is
   // neglected: second order in the residual.
-  d.log_inv_sigma[kFocal] = 1 / (1 + error.focal);
+  d.log_inv_sigma[kFocal] = 1 / (1 + error.correction.focal);
   d.ray.reserve(points.hosts.size()), d.px.reserve(points.matches.size());
   for (size_t i = 0; i < points.hosts.size(); ++i)
     d.ray.push_back(rate_at(file.points[i].host, points.hosts[i]));

@@ -115,18 +115,19 @@ CameraSearch search_from(const CameraError& start, double k1) {
 }  // namespace
 
 std::optional<FocalError> adjust_corners(const Rectification& rectification,
-                                         const std::vector<CornerSights>& views, double k1) {
+                                         const std::vector<CornerSights>& views,
+                                         const ImageCorrection& lens) {
   BaOptions options;
   options.relative_decrease = kEnoughDecrease;
   CameraError error;
-  error.correction.k1 = k1;
+  error.correction.k1 = lens.k1, error.correction.focal = lens.focal;
   std::vector<CornerSights> placed = views;
   std::vector<Track> tracks = tracks_of(rectification.target(), views);
   CameraEstimate found;
   for (int round = 0; round < kRounds; ++round) {
     if (tracks.size() < kLeastCorners) return std::nullopt;
     const CameraProblem problem = make_problem(rectification, placed, tracks);
-    found = estimate_camera(problem, search_from(error, k1), options);
+    found = estimate_camera(problem, search_from(error, lens.k1), options);
     if (!found.usable) return std::nullopt;
     error = found.value;
     for (size_t v = 0; v < placed.size(); ++v) placed[v].T_cam_path = found.solution.poses[v].T_cam_world;
@@ -134,7 +135,7 @@ std::optional<FocalError> adjust_corners(const Rectification& rectification,
   }
   const double sigma = found.sigma[kFocal];
   if (!(sigma > 0) || !std::isfinite(sigma)) return std::nullopt;
-  return FocalError{error.focal, sigma};
+  return FocalError{error.correction.focal, sigma, 1};
 }
 
 }  // namespace edgevo

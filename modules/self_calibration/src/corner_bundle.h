@@ -13,13 +13,14 @@ namespace edgevo {
 /// The corners of one image, by ascending id, and the camera's pose in the odometry's path.
 struct CornerSights {
   SE3 T_cam_path;
+  /// Rays by the camera file alone.
   std::vector<FollowedCorner> corners;
 };
 
-/// Adjusts poses, depths and focal length to the corners of `views` (three or more, from images with the
-/// residual distortion `k1`). Nothing: too few corners, or no minimum. The standard deviation is that of
+/// Adjusts poses, depths and focal length to the corners of `views`, three or more; `lens`: what is known of
+/// it, where the search starts. Nothing: too few corners, or no minimum. The standard deviation is that of
 /// errors which are common to neighbouring corners and images, as those of followed patches are.
 std::optional<FocalError> adjust_corners(const Rectification& rectification,
-                                         const std::vector<CornerSights>& views, double k1);
+                                         const std::vector<CornerSights>& views, const ImageCorrection& lens);
 
 }  // namespace edgevo

@@ -2,10 +2,12 @@
 #include "edgevo/self_calibration/focal_by_corners.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "corner_bundle.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/radial.h"
 
 namespace edgevo {
 namespace {
@@ -14,11 +16,20 @@ constexpr size_t kViews = 6;
 constexpr size_t kLeastFollowed = 15;  // from view to view: where fewer are, a new window begins
 constexpr double kLeastWay = 0.03;     // median way of the corners between two views, widths of the image
 constexpr double kLeastTurn = 0.05;    // radians over a window: a way straight on shows no focal length
-constexpr size_t kLeastWindows = 2, kMostWindows = 9;  // odd: for the median
+constexpr size_t kLeastWindows = 3, kMostWindows = 9;  // odd: for the median
 constexpr double kMostSigma = 0.15;                    // of a window that counts, relative
 // Least scatter of windows, and what all may share: rows that are read out one after another, a residual
 // distortion. Relative.
 constexpr double kLeastScatter = 0.05, kCommon = 0.04;
+
+std::vector<FollowedCorner> by_file(std::vector<FollowedCorner> corners, const ImageCorrection& lens) {
+  for (FollowedCorner& c : corners) c.ray.head<2>() = add_lens(lens, c.ray.head<2>());
+  return corners;
+}
+// A scatter of few windows is itself uncertain: 95 % quantile of Student's distribution over that of the
+// normal one, for kLeastWindows windows and more.
+constexpr std::array<double, kMostWindows - kLeastWindows + 1> kStudent{2.20, 1.62, 1.42, 1.31,
+                                                                        1.25, 1.21, 1.18};
 
 }  // namespace
 
@@ -26,7 +37,7 @@ struct FocalByCorners::Impl {
   Rectification rectification;
   std::vector<CornerSights> views;
   SE3 T_cam_path;
-  double k1 = 0;
+  ImageCorrection lens;         // of the last image
   std::vector<double> windows;  // logarithm of true over file's focal length
 
   std::vector<double> ways_since_view(const std::vector<FollowedCorner>& corners) const;
@@ -69,17 +80,17 @@ void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) 
 }
 
 void FocalByCorners::Impl::measure() {
-  const std::optional<FocalError> found = adjust_corners(rectification, views, k1);
+  const std::optional<FocalError> found = adjust_corners(rectification, views, lens);
   if (found && found->sigma < kMostSigma) windows.push_back(std::log1p(found->value));
 }
 
 void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last,
-                         double k1) {
+                         const ImageCorrection& lens) {
   if (impl_->windows.size() >= kMostWindows) return;
-  if (!T_cur_last || k1 != impl_->k1) impl_->views.clear();
+  if (!T_cur_last) impl_->views.clear();
   impl_->T_cam_path = impl_->views.empty() ? SE3() : *T_cur_last * impl_->T_cam_path;
-  impl_->k1 = k1;
-  impl_->add_view(corners);
+  impl_->lens = lens;
+  impl_->add_view(by_file(corners, lens));
 }
 
 // One window of five is off by far more than it states: hence the median, and the windows' own scatter.
@@ -90,9 +101,10 @@ std::optional<FocalError> FocalByCorners::error() const {
   const double middle = median(windows);
   std::vector<double> deviations;
   for (const double w : windows) deviations.push_back(std::abs(w - middle));
-  const double scatter = std::max(kLeastScatter, kSigmaOverMad * median(deviations));
+  const double scatter =
+      std::max(kLeastScatter, kStudent[windows.size() - kLeastWindows] * kSigmaOverMad * median(deviations));
   const double sigma = std::hypot(kSigmaOfMedian * scatter / std::sqrt(double(windows.size())), kCommon);
-  return FocalError{std::expm1(middle), std::exp(middle) * sigma};
+  return FocalError{std::expm1(middle), std::exp(middle) * sigma, int(windows.size())};
 }
 
 }  // namespace edgevo

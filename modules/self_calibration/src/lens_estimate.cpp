@@ -30,7 +30,7 @@ LensEstimate estimate_lens(const Rectification& rectification, const Map& map, c
   const CameraEstimate e = estimate_camera(history.problem, search, options);
   if (!e.usable) return lens;
   lens.usable = true;
-  lens.focal = e.value.focal;
+  lens.focal = e.value.correction.focal;
   lens.k1 = e.value.correction.k1, lens.k2 = e.value.k2;
   lens.centre = e.value.centre;
   const ba::Unknowns sigma = search.free.select(e.sigma, ba::Unknowns::Zero());

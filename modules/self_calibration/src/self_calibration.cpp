@@ -11,6 +11,7 @@
 #include "camera_finder.h"
 #include "edgevo/core/thread_priority.h"
 #include "edgevo/core/trace.h"
+#include "focal_length.h"
 #include "history.h"
 #include "map_move.h"
 
@@ -19,6 +20,8 @@ namespace {
 
 using State = CameraRefinement::State;
 
+// Keyframes: fewer hold the scale of a map that changes its shape less well.
+constexpr int kFewestForFocalLength = 5;
 // Number of estimates during a run; the last one is the most expensive, about a second at 120 keyframes.
 constexpr int kCheckpoints = 3;
 
@@ -27,6 +30,7 @@ constexpr int kCheckpoints = 3;
 int first_checkpoint(const SelfCalibrationParams& p) {
   return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes;
 }
+int keyframes_of(const Map& map) { return int(map.marginalised().size() + map.active().size()); }
 int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
   return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2)
                                      : 2 * keyframes;
@@ -44,9 +48,9 @@ struct SelfCalibration::Job {
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
   v.text(
-      kBasic, "refine", refine, {"none", "k1", "readout", "all"},
-      "what is estimated during a run: residual radial distortion, read-out time of a rolling shutter; none: "
-      "use the camera file as it is");
+      kBasic, "refine", refine, {"none", "k1", "readout", "focal", "all"},
+      "what is estimated during a run: residual radial distortion, read-out time of a rolling shutter, focal "
+      "length; none: use the camera file as it is");
   v.integer(kAdvanced, "min_keyframes", min_keyframes, 10, 200,
             "keyframes at the first estimate of k1 (a third for the read-out time); twice as many at each "
             "further one");
@@ -64,6 +68,7 @@ SelfCalibration::SelfCalibration(const Rectification& rectification, const SelfC
     : rectification_(rectification), params_(params), next_checkpoint_(first_checkpoint(params)) {
   if (params.refines_k1()) state_.state = State::kTooEarly;
   if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
+  if (params.refines_focal_length()) state_.focal_length.state = State::kTooEarly;
   state_.correction.readout_s = params.readout_s;
 }
 
@@ -71,8 +76,25 @@ SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
 SelfCalibration& SelfCalibration::operator=(SelfCalibration&&) noexcept = default;
 SelfCalibration::~SelfCalibration() = default;
 
+void SelfCalibration::note_focal_length(const FocalError& by_corners) {
+  if (!refines_focal_length()) return;
+  CameraRefinement::FocalLength& found = state_.focal_length;
+  found.estimate = by_corners.value, found.sigma = by_corners.sigma, found.windows = by_corners.windows;
+  if (found.state == State::kTooEarly) found.state = State::kInsignificant;
+}
+
+// Of another lens the focal length is no scale of its image.
+bool SelfCalibration::refines_focal_length() const {
+  return params_.refines_focal_length() && rectification_.camera().plumb_bob();
+}
+
+bool SelfCalibration::is_focal_length_due(const Map& map) const {
+  return !job_ && needs_matches() && keyframes_of(map) >= kFewestForFocalLength &&
+         focal_length_to_try(state_, params_.significance);
+}
+
 bool SelfCalibration::is_due(const Map& map) const {
-  return !job_ && needs_matches() && int(map.marginalised().size() + map.active().size()) >= next_checkpoint_;
+  return !job_ && needs_matches() && (keyframes_of(map) >= next_checkpoint_ || is_focal_length_due(map));
 }
 
 void SelfCalibration::cancel() { job_.reset(); }
@@ -112,7 +134,8 @@ std::optional<ImageCorrection> SelfCalibration::correction_found() {
 std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOptions& options, bool at_end) {
   if (!needs_matches() || map.active().empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(map);
-  if (int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
+  if (!job_ && int(keyframes.size()) < first_checkpoint(params_) && !is_focal_length_due(map))
+    return std::nullopt;
   const CalibrationHistory history = make_history(rectification_, state_.correction, keyframes);
   int known = int(keyframes.size());
   CameraFinding found;
@@ -138,7 +161,8 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
                       &*found.estimate);
     moved->segment = map.segment();
   }
-  pass_checkpoint(known, at_end);
+  // k1 and the read-out time are still to be estimated.
+  if (!found.is_of_focal_length) pass_checkpoint(known, at_end);
   return moved;
 }
 

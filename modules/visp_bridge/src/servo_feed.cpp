@@ -44,8 +44,9 @@ std::string not_usable_because(const NewestPose& view, double age_s, const Servo
 void ServoFeed::publish(const NewestPose& view) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool other_segment = view.reference && newest_.reference && view.segment != newest_.segment;
-  const bool other_camera = view.reference && newest_.reference &&
-                            view.reference->camera.correction.k1 != newest_.reference->camera.correction.k1;
+  const bool other_camera =
+      view.reference && newest_.reference &&
+      !view.reference->camera.correction.has_lens_of(newest_.reference->camera.correction);
   if (other_segment || other_camera) ++map_version_;
   const double step = seconds_between(newest_.time, view.time);
   const bool follows = view.T_cam_map && newest_.T_cam_map && !other_segment && !other_camera && step > 0 &&

@@ -236,10 +236,10 @@ double CornerChain::median_idepth() const {
   return idepths.empty() ? first_idepth_ : median(std::move(idepths));
 }
 
-void CornerChain::change_distortion(double k1) {
-  if (k1 == k1_) return;
-  for (Corner& c : corners_) c.ray.head<2>() = remove_radial(k1, add_radial(k1_, c.ray.head<2>()));
-  k1_ = k1;
+void CornerChain::change_lens(const ImageCorrection& lens) {
+  if (lens.has_lens_of(lens_)) return;
+  for (Corner& c : corners_) c.ray.head<2>() = remove_lens(lens, add_lens(lens_, c.ray.head<2>()));
+  lens_ = lens;
 }
 
 std::vector<ExpectedCorner> CornerChain::expect(const std::optional<SE3>& T_cur_last) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "corner_tracks.h"
+#include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
 
 namespace edgevo {
@@ -37,8 +38,8 @@ class CornerChain {
   /// Places the next image. `T_cur_last` is the odometry's motion since the image before, in the unit of the
   /// path, if it is known: the first depths rest on it, afterwards it is only one of the starting points.
   ChainStep add(const CornerView& view, const std::optional<SE3>& T_cur_last);
-  /// Adopts another residual distortion (core/radial.h): the next image is rectified by it.
-  void change_distortion(double k1);
+  /// Adopts another lens (core/radial.h): the next image is rectified by it.
+  void change_lens(const ImageCorrection& lens);
   /// Median inverse depth to expect before there are measured ones, unit of the path.
   void expect_idepth(double idepth) { first_idepth_ = idepth; }
   /// Corners that have contradicted the path repeatedly since the last call: not to be followed any more.
@@ -77,7 +78,7 @@ class CornerChain {
   std::vector<Corner> corners_;  // by ascending id
   SE3 T_cam_path_;
   SE3 velocity_;  // T_cur_last of the path
-  double k1_ = 0;
+  ImageCorrection lens_;
   double first_idepth_ = 0.1;
   bool is_running_ = false;
   int failures_ = 0;  // images in a row that were not placed

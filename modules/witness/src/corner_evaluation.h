@@ -14,7 +14,7 @@ namespace edgevo {
 class CornerEvaluation {
  public:
   /// Takes the next image's correction (FramePyramid::correction), before its corners are followed.
-  void change_distortion(double k1) { chain_.change_distortion(k1); }
+  void change_lens(const ImageCorrection& lens) { chain_.change_lens(lens); }
   /// Where the corners are expected, if the odometry's motion is `T_cur_last`.
   std::vector<ExpectedCorner> expect(const std::optional<SE3>& T_cur_last) const {
     return chain_.expect(step_since_image(T_cur_last));

@@ -20,7 +20,7 @@ std::optional<CornerEvidence> CornerWitness::add(const std::shared_ptr<const Fra
                                                  const MovesByItself& moves, bool stands) {
   CornerTracks& tracks = impl_->tracks;
   CornerEvaluation& evaluation = impl_->evaluation;
-  evaluation.change_distortion(frame->correction.k1);
+  evaluation.change_lens(frame->correction);
   tracks.follow(frame, evaluation.expect(T_cur_last));
   if (stands) tracks.drop_moving();
   if (moves) tracks.drop_where(moves);

@@ -41,7 +41,7 @@ TEST(Radial, ActsBeforeTheDistortionOfTheFile) {
   const Camera file({517.3, 516.5, 318.6, 255.3, 640, 480},
                     {0.262383, -0.953104, -0.005358, 0.002628, 1.163314});
   const Rectification rectification(file);
-  const RectificationMaps maps = rectification.maps(0.01);
+  const RectificationMaps maps = rectification.maps({0.01});
   for (int v = 0; v < 480; v += 60)
     for (int u = 0; u < 640; u += 60) {
       const Eigen::Vector2d x = file.pinhole().ray({double(u), double(v)}).head<2>();
@@ -52,6 +52,25 @@ TEST(Radial, ActsBeforeTheDistortionOfTheFile) {
       ASSERT_TRUE(ray);
       EXPECT_LT((remove_radial(0.01, ray->head<2>() / ray->z()) - x).norm(), 1e-9);
     }
+}
+
+TEST(Radial, AnotherFocalLengthScalesTheImage) {
+  const ImageCorrection lens{0.01, 0, 0.25};
+  const Eigen::Vector2d x(0.4, -0.2);
+  EXPECT_LT((add_lens(lens, x) - 1.25 * add_radial(0.01, x)).norm(), 1e-15);
+  EXPECT_LT((remove_lens(lens, add_lens(lens, x)) - x).norm(), 1e-12);
+}
+
+// Where the true lens is longer than the file's, the image of the file's does not reach the border.
+TEST(Radial, PixelsOutsideTheImageOfALongerLensAreMissing) {
+  const Rectification rectification(Pinhole{500, 500, 320, 240, 640, 480});
+  EXPECT_TRUE(rectification.maps({0.01}).missing.empty()) << "border pixels are repeated";
+  EXPECT_TRUE(rectification.maps({0, 0, -0.2}).missing.empty());
+  const RectificationMaps maps = rectification.maps({0, 0, 0.25});
+  const auto at = [&](int u, int v) { return maps.missing.at(size_t(v) * 640 + size_t(u)); };
+  EXPECT_EQ(at(60, 240), 255);
+  EXPECT_EQ(at(68, 240), 0);
+  EXPECT_NEAR(maps.x.at(240 * 640 + 400), 320 + 1.25 * 80, 1e-4);
 }
 
 }  // namespace

@@ -104,6 +104,23 @@ TEST(ImageCorrection, TheRowIsThatOfTheRawPixel) {
   }
 }
 
+// A file with a shorter focal length, corrected, shows each point where the true camera does, also in the
+// rows that a rolling shutter reads.
+TEST(ImageCorrection, ACorrectedFocalLengthIsThatOfTheTrueCamera) {
+  Pinhole file = kCamera;
+  file.fx /= 1.25, file.fy /= 1.25;
+  for (const Eigen::Vector2d& x : points()) {
+    const ImageMotion m = motion_at(0.7);
+    const Eigen::Vector2d truth = to_file(kCamera, {0, 0.04}, m, x),
+                          by_file = to_file(file, {0, 0.04, 0.25}, m, x);
+    const Eigen::Vector2d px = kCamera.project(truth.homogeneous());
+    EXPECT_LT((file.project(by_file.homogeneous()) - px).norm(),
+              0.01 * (kCamera.project(x.homogeneous()) - px).norm() + 0.01);
+    EXPECT_LT((from_file(file, {0.01, 0.04, 0.25}, m, to_file(file, {0.01, 0.04, 0.25}, m, x)) - x).norm(),
+              1e-9);
+  }
+}
+
 TEST(ImageCorrection, TheRateByTheReadOutTimeIsItsDerivative) {
   for (const Eigen::Vector2d& x : points()) {
     const auto shown = [&](const Eigen::Matrix<double, 1, 1>& d) -> Eigen::Vector2d {

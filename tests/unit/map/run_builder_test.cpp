@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "edgevo/core/point_filter.h"
+#include "edgevo/map/corrected_pixel.h"
 #include "support/bundle_adjustment_scene.h"
 
 namespace edgevo {
@@ -106,6 +107,24 @@ TEST(RunBuilder, AMoveChangesTheUnitOfEarlierFramesOnly) {
     EXPECT_NEAR(covariance(5, 5), 1, 1e-12) << "angles have no unit of length, " << i;
     EXPECT_EQ(run.frames[size_t(i)].T_world_cam_live->translation().z(), 1) << "live poses never change";
   }
+}
+
+// A frame between keyframes was tracked with the focal length of before.
+TEST(RunBuilder, AMoveByTheFocalLengthCorrectsEarlierFrames) {
+  constexpr int kKeyframe = 7;
+  const SE3 turn = SE3::exp((Vector6d() << 0.1, 0, 0.5, 0, 0.05, 0).finished());
+  MapMoved moved = move_of(kKeyframe, {}, 2);
+  moved.keyframes[0].points = {{{100, 100}, 1e-3}};
+  moved.lens = LensChange{{}, {0, 0, 0.25}};
+  const edgevo::Run run = build({at_origin(), frame(0, FrameAnchor{kKeyframe, turn, turn, 0}), moved,
+                                 frame(1, FrameAnchor{kKeyframe, turn, turn, 1}), keyframe(kKeyframe, 100)});
+  const auto T_cam_ref = [&](size_t i) {
+    return run.frames.at(i).T_world_cam->inverse() * run.keyframes.at(0).T_world_cam;
+  };
+  EXPECT_NEAR(T_cam_ref(0).angle(), 0.05 / 1.25, 1e-9);
+  const SE3 expected = correct_motion(turn, 1 / 1.25);
+  EXPECT_LT((T_cam_ref(0).translation() - 2 * expected.translation()).norm(), 1e-9);
+  EXPECT_LT((T_cam_ref(1) * turn.inverse()).log().norm(), 1e-9) << "tracked after it";
 }
 
 TEST(RunBuilder, TheWorldBeginsAtTheFirstPoseOnceTheMapHasMoved) {

@@ -175,7 +175,8 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EXPECT_FALSE(lines.lines[0].is_straight);
   CameraRefinement camera;
   camera.state = CameraRefinement::State::kApplied;
-  camera.correction = {0.01, 0.1};
+  camera.correction = {0.01, 0.1, 0.2};
+  camera.focal_length = {CameraRefinement::State::kApplied, 0.2, 0.05, 4, 3};
   camera.estimate = 0.02, camera.sigma = 0.003, camera.keyframes = 44;
   camera.shutter = {CameraRefinement::State::kTooEarly, 0.2, 0.3, 5};
   camera.lens = {0.01, -0.02, 0.03, 0.04, 0.05, 0.06, 7};
@@ -186,6 +187,9 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EXPECT_EQ(estimated.keyframes, 44);
   EXPECT_EQ(estimated.shutter.estimate, 0.2);
   EXPECT_EQ(estimated.shutter.keyframes, 5);
+  EXPECT_EQ(estimated.focal_length.estimate, 0.2);
+  EXPECT_EQ(estimated.focal_length.windows, 4);
+  EXPECT_EQ(estimated.focal_length.windows_rejected, 3);
   EXPECT_EQ(estimated.lens.k2, -0.02);
   EXPECT_EQ(estimated.lens.focal, 0.03);
   EXPECT_EQ(estimated.lens.focal_sigma, 0.06);

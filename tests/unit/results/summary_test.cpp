@@ -104,6 +104,17 @@ TEST_F(Summary, SaysWhichErrorOfTheFocalLengthMayNotShow) {
               HasSubstr("to three standard deviations, 2.1 %; a smaller error may not show"));
 }
 
+TEST_F(Summary, NamesTheFocalLengthThatWasApplied) {
+  edgevo::Run run = made_.run;
+  run.camera.focal_length = {CameraRefinement::State::kApplied, 0.22, 0.05, 5, 0};
+  run.camera.correction.focal = 0.21;
+  write(folder_, run, made_.camera);
+  const std::string summary = content(folder_ / "summary.yaml");
+  for (const char* line :
+       {"focal: \"applied\"", "residual_focal: 0.21", "focal_estimate: 0.22", "focal_windows: 5"})
+    EXPECT_THAT(summary, HasSubstr(line));
+}
+
 TEST(YamlQuoted, SurvivesAnyText) {
   const std::string nasty = "a \"b\" \\c: #d\n- {e}";
   EXPECT_EQ(yaml::FromText("key: " + yaml_quoted(nasty))["key"].as<std::string>(), nasty);

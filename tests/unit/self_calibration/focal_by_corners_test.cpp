@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "edgevo/core/radial.h"
 #include "edgevo/core/random.h"
 
 namespace edgevo {
@@ -15,8 +16,9 @@ struct Drive {
   double turn = 0.01;
   double file_over_true = 1;  // focal length
   double noise_px = 0.1;
-  double outliers = 0;   // share of the corners that slide
-  int all_lost_at = -1;  // frame at which every corner gets a new number
+  double outliers = 0;      // share of the corners that slide
+  ImageCorrection applied;  // to the images
+  int all_lost_at = -1;     // frame at which every corner gets a new number
   uint64_t seed = 1;
 };
 
@@ -50,12 +52,13 @@ std::optional<FocalError> error_after(const Drive& drive, int frames = 120) {
       px += drive.noise_px * Eigen::Vector2d(random.normal(), random.normal());
       if (double(i % 100) < 100 * drive.outliers) px.x() += 0.7 * f;
       const uint32_t first_id = drive.all_lost_at >= 0 && f >= drive.all_lost_at ? 10000 : 0;
-      corners.push_back({first_id + uint32_t(i), file.ray(px)});
+      const Eigen::Vector2d x = remove_lens(drive.applied, file.ray(px).head<2>());
+      corners.push_back({first_id + uint32_t(i), x.homogeneous()});
     }
     if (corners.size() > 80) corners.resize(80);
     // The odometry turns by as much as the file says.
     SE3 seen = SE3::exp((Vector6d() << 0.02, 0, -0.2, 0, drive.turn / drive.file_over_true, 0).finished());
-    focal.add(corners, f > 0 ? std::optional<SE3>(seen) : std::nullopt, 0);
+    focal.add(corners, f > 0 ? std::optional<SE3>(seen) : std::nullopt, drive.applied);
     T_cam_world = step * T_cam_world;
   }
   return focal.error();
@@ -71,6 +74,15 @@ TEST(FocalByCorners, ShowsTheWholeErrorOfTheFile) {
       EXPECT_NEAR(found->value, 1 / file_over_true - 1, 0.04);
       EXPECT_GT(std::abs(found->value), 3 * found->sigma);
     }
+}
+
+// What is known of the lens may be taken from the images: the error is still that of the file.
+TEST(FocalByCorners, SpeaksOfTheFileWhateverIsApplied) {
+  Drive drive;
+  drive.file_over_true = 0.8, drive.applied = {0.005, 0, 0.2};
+  const std::optional<FocalError> found = error_after(drive);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->value, 0.25, 0.04);
 }
 
 TEST(FocalByCorners, ConfirmsARightFile) {

@@ -194,6 +194,82 @@ TEST(SelfCalibration, ReportsWhenNothingIsObservable) {
   EXPECT_EQ(calibrate(brief).state.state, CameraRefinement::State::kTooEarly);
 }
 
+// A drive as an odometry sees it whose camera file has another focal length.
+std::vector<Keyframe> seen_by_file(double focal, std::vector<Keyframe> drive) {
+  const ImageCorrection file{0, 0, focal};
+  for (Keyframe& k : drive)
+    for (MapPoint& p : k.points) {
+      p.px = correct_pixel(test::pinhole(), file, {}, k.motion, p.px);
+      for (Observation& seen : p.observations)
+        seen.match.px = correct_pixel(test::pinhole(), file, {}, k.motion, seen.match.px);
+    }
+  SE3 T_last_world = drive.front().T_cam_world;
+  for (size_t i = 1; i < drive.size(); ++i) {
+    const SE3 T = drive[i].T_cam_world * T_last_world.inverse();
+    T_last_world = drive[i].T_cam_world;
+    drive[i].T_cam_world = correct_motion(T, 1 + focal) * drive[i - 1].T_cam_world;
+  }
+  return drive;
+}
+
+double angle_between(const SE3& a, const SE3& b) { return (b * a.inverse()).angle(); }
+
+TEST(SelfCalibration, AppliesTheFocalLengthThatCornersShow) {
+  for (const double focal : {0.25, -0.2}) {
+    SyntheticDrive o;
+    o.keyframes = 20;
+    const std::vector<Keyframe> truth = make_drive(o), drive = seen_by_file(focal, truth);
+    SelfCalibrationParams params;
+    params.refine = "focal";
+    SelfCalibration calibration(test::pinhole(), params);
+    Map map = map_of(drive, drive.size());
+    EXPECT_FALSE(calibration.is_focal_length_due(map));
+    calibration.note_focal_length({focal, 0.05, 3});
+    ASSERT_TRUE(calibration.is_focal_length_due(map));
+    const auto moved = calibration.estimate(map, BaOptions(), false);
+    ASSERT_TRUE(moved);
+    EXPECT_EQ(moved->lens->now.focal, focal);
+    EXPECT_EQ(calibration.state().correction.focal, focal);
+    EXPECT_EQ(calibration.state().focal_length.state, CameraRefinement::State::kApplied);
+    EXPECT_FALSE(calibration.is_focal_length_due(map)) << "once";
+    const auto pose = [&](size_t i) { return moved->keyframes[i].T_cam_newest; };
+    const double turn = angle_between(truth.front().T_cam_world, truth.back().T_cam_world);
+    ASSERT_GT(std::abs(angle_between(drive.front().T_cam_world, drive.back().T_cam_world) / turn - 1), 0.15);
+    EXPECT_NEAR(angle_between(pose(0), pose(19)), turn, 0.01 * turn);
+    EXPECT_NEAR(moved->keyframes[5].points[0].px.x(), truth[5].points[0].px.x(), 1e-6);
+  }
+}
+
+// Corners that are all wrong, say.
+TEST(SelfCalibration, AFocalLengthThatTheMapSpeaksAgainstStaysOut) {
+  SyntheticDrive o;
+  o.keyframes = 20;
+  const std::vector<Keyframe> drive = make_drive(o);
+  SelfCalibration calibration(test::pinhole(), {});
+  const Map map = map_of(drive, drive.size());
+  calibration.note_focal_length({0.25, 0.05, 3});
+  ASSERT_TRUE(calibration.is_focal_length_due(map));
+  EXPECT_FALSE(calibration.estimate(map, BaOptions(), false));
+  EXPECT_EQ(calibration.state().correction.focal, 0);
+  EXPECT_EQ(calibration.state().focal_length.state, CameraRefinement::State::kInsignificant);
+  EXPECT_FALSE(calibration.is_focal_length_due(map)) << "not the same again";
+  calibration.note_focal_length({0.25, 0.05, 4});
+  EXPECT_TRUE(calibration.is_focal_length_due(map));
+}
+
+TEST(SelfCalibration, KeepsTheFocalLengthOfTheFileUnlessAskedTo) {
+  const std::vector<Keyframe> drive = make_drive({});
+  const Map map = map_of(drive, 20);
+  for (const char* refine : {"none", "k1", "readout"}) {
+    SelfCalibrationParams params;
+    params.refine = refine;
+    SelfCalibration calibration(test::pinhole(), params);
+    calibration.note_focal_length({0.25, 0.05, 3});
+    EXPECT_FALSE(calibration.is_focal_length_due(map)) << refine;
+    EXPECT_EQ(calibration.state().focal_length.state, CameraRefinement::State::kOff);
+  }
+}
+
 TEST(SelfCalibration, DoesNothingWhenOff) {
   SyntheticDrive o;
   o.k1 = 0.02;

@@ -75,9 +75,18 @@ std::string shutter_text(const CameraRefinement::Shutter& shutter, double readou
   return html + ".";
 }
 
+std::string focal_length_text(const CameraRefinement& camera) {
+  const CameraRefinement::FocalLength& f = camera.focal_length;
+  if (f.sigma == 0) return {};
+  return " Focal length by corners: <b>" + fixed(100 * f.estimate, 1) + " ± " + fixed(100 * f.sigma, 1) +
+         " %</b> off the file's, " +
+         (camera.correction.focal != 0 ? fixed(100 * camera.correction.focal, 1) + " % applied."
+                                       : "not applied.");
+}
+
 std::string whole_lens_text(const CameraRefinement::Lens& lens) {
   if (lens.keyframes == 0) return {};
-  return " With k2 and focal length free (not applied): k1 " + fixed(lens.k1, 4) + " ± " +
+  return " By the matches, with k2 and focal length free (not applied): k1 " + fixed(lens.k1, 4) + " ± " +
          fixed(lens.k1_sigma, 4) + ", k2 " + fixed(lens.k2, 4) + " ± " + fixed(lens.k2_sigma, 4) +
          ", focal length " + fixed(100 * lens.focal, 1) + " ± " + fixed(100 * lens.focal_sigma, 1) +
          " % off the file's.";
@@ -88,7 +97,7 @@ std::string lens_text(const CameraRefinement& camera) {
   if (camera.sigma > 0)
     html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
             std::to_string(camera.keyframes) + " keyframes";
-  return html + "." + whole_lens_text(camera.lens) +
+  return html + "." + focal_length_text(camera) + whole_lens_text(camera.lens) +
          shutter_text(camera.shutter, camera.correction.readout_s) + "</p>\n";
 }
 

@@ -49,6 +49,28 @@ std::string shutter_statement(const CameraRefinement::Shutter& s, double readout
   return "";
 }
 
+std::string focal_length_statement(const CameraRefinement::FocalLength& f, const ImageCorrection& c) {
+  using State = CameraRefinement::State;
+  if (f.state == State::kOff) return "off: the focal length was taken from the camera file";
+  if (c.focal != 0) return "applied: images and map are corrected by residual_focal";
+  if (f.sigma == 0) return "the camera did not turn enough, or showed too few corners, for an estimate";
+  if (f.windows > 0 && f.windows == f.windows_rejected)
+    return "not applied: corners contradict the camera file, and the matches of the map contradict the "
+           "corners";
+  return "not applied: the camera file's is right to three standard deviations";
+}
+
+void write_focal_length(const CameraRefinement& c, YamlWriter* y) {
+  const CameraRefinement::FocalLength& f = c.focal_length;
+  y->text("focal", to_string(f.state));
+  y->text("focal_result", focal_length_statement(f, c.correction));
+  y->number("residual_focal", c.correction.focal, 5);
+  if (f.sigma == 0) return;
+  y->number("focal_estimate", f.estimate, 5);
+  y->number("focal_standard_deviation", f.sigma, 4);
+  y->integer("focal_windows", f.windows);
+}
+
 void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
   if (l.keyframes == 0) return;
   y->text("lens_result",
@@ -68,7 +90,7 @@ void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
 
 }  // namespace
 
-// x_file = x (1 + residual_k1 r^2): before the file's own distortion. Row v is taken
+// x_file = (1 + residual_focal) x (1 + residual_k1 r^2): before the file's own distortion. Row v is taken
 // readout_s (v / (height - 1) - 1/2) after the middle.
 void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
   y->open("self_calibration");
@@ -80,6 +102,7 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
     y->number("standard_deviation", c.sigma, 4);
     y->integer("keyframes", c.keyframes);
   }
+  write_focal_length(c, y);
   write_lens(c.lens, y);
   const CameraRefinement::Shutter& s = c.shutter;
   y->text("shutter", to_string(s.state));

@@ -93,9 +93,15 @@ struct ImageCorrection {
   double k1 = 0;
   /// Read-out time from the first row to the last, seconds; negative: read from bottom to top.
   double readout_s = 0;
+  /// True focal length over that of the file, less 1.
+  double focal = 0;
 
+  /// Whether the lens is that of the file.
+  bool keeps_lens() const { return k1 == 0 && focal == 0; }
+  /// Exact comparison of the lens alone.
+  bool has_lens_of(const ImageCorrection& o) const { return k1 == o.k1 && focal == o.focal; }
   /// Exact comparison.
-  bool operator==(const ImageCorrection& o) const { return k1 == o.k1 && readout_s == o.readout_s; }
+  bool operator==(const ImageCorrection& o) const { return has_lens_of(o) && readout_s == o.readout_s; }
   /// Exact comparison.
   bool operator!=(const ImageCorrection& o) const { return !(*this == o); }
 };

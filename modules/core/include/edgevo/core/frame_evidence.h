@@ -110,8 +110,8 @@ struct FrameEvidence {
   /// Adjustment of the window with this frame as the new keyframe; nothing if there was none.
   std::optional<AdjustmentEvidence> adjustment;
 
-  /// True focal length over the camera's, less 1, as corners show it that are followed without the map
-  /// (self_calibration/focal_by_corners.h).
+  /// True focal length over the one in use (ImageCorrection), less 1, as corners show it that are followed
+  /// without the map (self_calibration/focal_by_corners.h).
   double focal_error = std::numeric_limits<double>::quiet_NaN();
   /// Its standard deviation.
   double focal_error_sigma = std::numeric_limits<double>::quiet_NaN();

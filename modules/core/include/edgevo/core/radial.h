@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Residual radial distortion that the camera file does not model: one coefficient, or two.
+// What the camera file has wrong about the lens: a residual radial distortion of one coefficient, or two, and
+// the focal length.
 //
 //     x_file = x (1 + k1 r^2 + k2 r^4),   r = |x|
 //
@@ -9,6 +10,8 @@
 // shrinks along the path; KITTI's rectified images have about +0.012. Valid where 1 + 3 k1 r^2 + 5 k2 r^4 >
 // 0.
 #include <Eigen/Core>
+
+#include "edgevo/core/camera.h"
 
 namespace edgevo {
 
@@ -41,6 +44,15 @@ inline Eigen::Vector2d remove_radial(double k1, const Eigen::Vector2d& x_file, d
     r -= (r * (1.0 + (k1 + k2 * r2) * r2) - r_file) / slope;
   }
   return x_file * (r / r_file);
+}
+
+/// x_file = (1 + focal) x (1 + k1 r^2) of the true point x, both in normalised coordinates.
+inline Eigen::Vector2d add_lens(const ImageCorrection& lens, const Eigen::Vector2d& x) {
+  return (1 + lens.focal) * add_radial(lens.k1, x);
+}
+/// Inverse of add_lens(), as exact as remove_radial().
+inline Eigen::Vector2d remove_lens(const ImageCorrection& lens, const Eigen::Vector2d& x_file) {
+  return remove_radial(lens.k1, x_file / (1 + lens.focal));
 }
 
 }  // namespace edgevo

@@ -123,14 +123,15 @@ struct KeyframeRecord {
   bool is_doubtful = false;
 };
 
-/// Result of self-calibration: images under the file's model are distorted by k1 (radial.h) and read row by
-/// row in readout_s (ImageCorrection).
+/// Result of self-calibration: images under the file's model are distorted by k1 (radial.h), of another size
+/// by the focal length, and read row by row in readout_s (ImageCorrection).
 struct CameraRefinement {
   /// Outcome of an estimate; only kApplied changes the images.
   enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
   /// Outcome for k1.
   State state = State::kOff;
-  /// Correction applied to all images: k1 is 0 unless kApplied, readout_s the estimate or the parameter.
+  /// Correction applied to all images: k1 and the focal length are 0 unless kApplied, readout_s the estimate
+  /// or the parameter.
   ImageCorrection correction;
   /// Newest estimate of k1, applied or not.
   double estimate = 0;
@@ -150,6 +151,19 @@ struct CameraRefinement {
   };
   /// Result for the rolling shutter.
   Shutter shutter;
+
+  /// Result for the focal length, by followed corners (self_calibration/focal_by_corners.h).
+  struct FocalLength {
+    /// Outcome for the focal length.
+    State state = State::kOff;
+    /// True focal length over that of the file, less 1, and its standard deviation; sigma 0: no estimate.
+    double estimate = 0, sigma = 0;
+    /// Number of windows of views that the estimate is based on, and that of the newest estimate that the map
+    /// spoke against; 0: of none.
+    int windows = 0, windows_rejected = 0;
+  };
+  /// Result for the focal length.
+  FocalLength focal_length;
 
   /// What all matches say of the lens if k2 and the focal length are free, too. Nothing of it is
   /// applied.

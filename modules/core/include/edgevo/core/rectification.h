@@ -44,13 +44,14 @@ class Rectification {
   /// Raw pixel that the camera file gives for the normalised image point x_file (ImageCorrection), which may
   /// lie outside the image; NaN where the lens shows nothing.
   Eigen::Vector2d raw_pixel(const Eigen::Vector2d& x_file) const;
-  /// Tables for images with the residual distortion `k1` (ImageCorrection). Cost: one projection a pixel.
-  RectificationMaps maps(double k1 = 0) const;
+  /// Tables for images whose lens differs from the file's by `lens`. With another focal length, pixels that
+  /// show what is outside the raw image are missing too. Cost: one projection a pixel.
+  RectificationMaps maps(const ImageCorrection& lens = {}) const;
   /// Throws InputError naming `where` for an unusable camera or target.
   void check(const std::string& where) const;
 
  private:
-  bool is_missing(const Eigen::Vector2d& x_file, const Eigen::Vector2d& raw, double max_tangent) const;
+  bool is_outside(const Eigen::Vector2d& raw) const;
 
   Camera camera_;
   Pinhole target_;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "edgevo/core/rectification.h"
+#include "edgevo/core/se3.h"
 #include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
@@ -18,5 +19,9 @@ Eigen::Vector2d correct_pixel(const Rectification& rectification, const ImageCor
 Eigen::Vector2d correct_normal(const Rectification& rectification, const ImageCorrection& before,
                                const ImageCorrection& now, const ImageMotion& motion,
                                const Eigen::Vector2d& px, const Eigen::Vector2d& normal);
+/// The motion that moves an image of the same depths as T does where all normalised points are `image_ratio`
+/// times as far from the centre, to first order: a turn across the image and a step sideways change by it, a
+/// roll and a step forwards do not.
+SE3 correct_motion(const SE3& T, double image_ratio);
 
 }  // namespace edgevo

@@ -102,7 +102,13 @@ class RunBuilder {
   const Row& row(size_t number) const { return rows_[number - forgotten_]; }
   bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_world_map_.size(); }
   void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);
-  double length_ratio_since(int keyframe_id, int moves) const;
+  // What a move of the map has changed near a keyframe.
+  struct Change {
+    int move = 0;             // its number
+    double length_ratio = 1;  // new over old length
+    double image_ratio = 1;   // new over old distance from the centre of the image, of any point
+  };
+  Change changes_since(int keyframe_id, int moves) const;
   void anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe);
   void finish_row(const std::map<int, int>& position_of_keyframe,
                   const std::vector<KeyframeRecord>& keyframes, Row* row) const;
@@ -112,11 +118,10 @@ class RunBuilder {
   size_t most_rows_ = 0;  // 0: all
   size_t forgotten_ = 0;  // rows before those of rows_
   std::deque<Row> rows_;
-  std::map<int, size_t> position_;  // frame index -> number of the row
-  std::map<int, Entry> keyframes_;  // the marginalised ones, by id
-  // By keyframe id, also of keyframes of the window: number of the move, new over old length.
-  std::map<int, std::vector<std::pair<int, double>>> length_ratios_;
-  std::vector<Sim3> T_world_map_;  // by segment, as the next
+  std::map<int, size_t> position_;              // frame index -> number of the row
+  std::map<int, Entry> keyframes_;              // the marginalised ones, by id
+  std::map<int, std::vector<Change>> changes_;  // by keyframe id, also of keyframes of the window
+  std::vector<Sim3> T_world_map_;               // by segment, as the next
   std::vector<SegmentRecord> segments_;
   WindowAdjusted window_;
   int moves_ = 0;

@@ -81,6 +81,8 @@ struct TrackedFrame {
   int return_to = -1;
   /// Whether the motion is in doubt (health_watch.h): what is mapped is provisional.
   bool is_in_doubt = false;
+  /// What corners show of the focal length up to this frame.
+  std::optional<FocalError> focal_length;
   /// With the first frame after a doubt.
   std::optional<DoubtEnded> doubt_ended;
 

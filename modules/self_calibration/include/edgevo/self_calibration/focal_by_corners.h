@@ -21,6 +21,8 @@ struct FocalError {
   double value = 0;
   /// Its standard deviation.
   double sigma = 0;
+  /// Number of windows that it is the median of.
+  int windows = 1;
 };
 
 /// Measures the focal length in windows of views, for one thread; deterministic.
@@ -31,12 +33,14 @@ class FocalByCorners {
   ~FocalByCorners();
   FocalByCorners(FocalByCorners&&) noexcept;
 
-  /// Takes the corners of the next image, whose residual distortion `k1` has not been removed from them, and
-  /// the motion since the last image, in any unit; nothing: the motion is unknown, and a new window begins.
+  /// Takes the corners of the next image, with the lens by which it was corrected, and the motion since the
+  /// last image, in any unit; nothing: the motion is unknown, and a new window begins.
   /// Cost: hardly any, but 3 ms where a window in which the camera has turned is complete; at most nine
   /// such windows are measured.
-  void add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last, double k1);
-  /// The windows up to now together; nothing: fewer than two have shown the focal length.
+  void add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last,
+           const ImageCorrection& lens);
+  /// The windows up to now together, against the file and not against what is applied; nothing: fewer than
+  /// three have shown the focal length.
   std::optional<FocalError> error() const;
 
  private:

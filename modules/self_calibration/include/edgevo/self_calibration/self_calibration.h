@@ -2,7 +2,8 @@
 #pragma once
 // Self-calibration: camera properties that the camera file does not contain (edges/image_correction.h),
 // namely the residual radial distortion k1 and the read-out time of a rolling shutter, estimated from the
-// window's own matches during a run.
+// window's own matches during a run, and the focal length, which followed corners show
+// (focal_by_corners.h).
 //
 // Not from the paper. A monocular map's scale grows or shrinks along a path when the lens model is wrong,
 // however good the matches: depth is learnt near the image centre and used further out. A rolling shutter
@@ -12,7 +13,8 @@
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
 //      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
 //      read-out time is estimated, too.
-//      What k2 and focal length would be if they were free, too, is stated (CameraRefinement::Lens).
+//      What k2 and focal length would be by the matches, if they were free, too, is stated
+//      (CameraRefinement::Lens).
 //   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
 //      result is a move of the map (MapMoved), with a new prior of the window; Map::move() applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
@@ -28,12 +30,13 @@
 #include "edgevo/core/params.h"
 #include "edgevo/core/records.h"
 #include "edgevo/map/map.h"
+#include "edgevo/self_calibration/focal_by_corners.h"
 
 namespace edgevo {
 
 /// Parameters of the self-calibration.
 struct SelfCalibrationParams {
-  /// "none", "k1", "readout" or "all".
+  /// "none", "k1", "readout", "focal" or "all".
   std::string refine = "all";
   /// Keyframes.
   int min_keyframes = 30;
@@ -50,6 +53,8 @@ struct SelfCalibrationParams {
   bool refines_k1() const { return refine == "k1" || refine == "all"; }
   /// Whether the read-out time is estimated.
   bool refines_readout() const { return refine == "readout" || refine == "all"; }
+  /// Whether the focal length is corrected.
+  bool refines_focal_length() const { return refine == "focal" || refine == "all"; }
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
@@ -67,7 +72,12 @@ class SelfCalibration {
 
   /// True if the matches of marginalised keyframes are needed for later estimates.
   bool needs_matches() const { return !finished_ && params_.refine != "none"; }
-  /// True if a checkpoint is reached and no estimate is running.
+  /// Takes what corners show of the focal length up to now.
+  void note_focal_length(const FocalError& by_corners);
+  /// True if corners show another focal length than is applied, and no estimate is running. Corners do not
+  /// know the map: it may be in doubt, and may be so because of the focal length.
+  bool is_focal_length_due(const Map& map) const;
+  /// True if a checkpoint is reached, or is_focal_length_due(), and no estimate is running.
   bool is_due(const Map& map) const;
   /// Estimates the camera from all keyframes of the map that have matches. Returns how the map is to move, if
   /// it is; `at_end`: even if it changes little.
@@ -90,6 +100,7 @@ class SelfCalibration {
 
  private:
   struct Job;
+  bool refines_focal_length() const;
   void pass_checkpoint(int keyframes, bool at_end);
 
   Rectification rectification_;

@@ -9,7 +9,7 @@ namespace edgevo {
 struct FollowedCorner {
   /// Ascends over the whole run; a lost corner's number is not used again.
   uint32_t id = 0;
-  /// Viewing ray (x, y, 1) by the camera file, without a correction.
+  /// Viewing ray (x, y, 1), by the correction of the image.
   Eigen::Vector3d ray;
 };
 
