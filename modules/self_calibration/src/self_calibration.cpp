@@ -41,6 +41,7 @@ int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
 // An estimate in a thread of its own, on a copy of the data at its beginning.
 struct SelfCalibration::Job {
   int moves = 0;  // of the map at its beginning
+  bool is_of_focal_length = false;
   CalibrationHistory history;
   std::optional<CameraFinding> found;
   std::future<CameraFinding> finding;  // last member: it waits for its thread before the history is destroyed
@@ -89,7 +90,8 @@ bool SelfCalibration::refines_focal_length() const {
 }
 
 bool SelfCalibration::is_focal_length_due(const Map& map) const {
-  return !job_ && needs_matches() && keyframes_of(map) >= kFewestForFocalLength &&
+  if (job_) return job_->is_of_focal_length;
+  return needs_matches() && keyframes_of(map) >= kFewestForFocalLength &&
          focal_length_to_try(state_, params_.significance);
 }
 
@@ -110,6 +112,7 @@ void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
 void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
+  job_->is_of_focal_length = focal_length_to_try(state_, params_.significance).has_value();
   job_->history = make_history(rectification_, state_.correction, all_keyframes(map));
   job_->finding = std::async(std::launch::async,
                              [&problem = job_->history.problem, known = state_, params = params_, options] {

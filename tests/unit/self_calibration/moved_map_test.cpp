@@ -87,6 +87,21 @@ TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
           << k;
 }
 
+// A map in doubt waits for no other estimate, but for this one.
+TEST(SelfCalibration, AFocalLengthIsDueWhileItIsEstimated) {
+  const std::vector<Keyframe> drive = make_drive({});
+  SelfCalibration calibration(test::pinhole(), {});
+  const Map map = map_of(drive, 20);
+  calibration.begin(map, BaOptions());
+  calibration.note_focal_length({0.25, 0.05, 3});
+  EXPECT_FALSE(calibration.is_focal_length_due(map)) << "another estimate is running";
+  calibration.cancel();
+  calibration.begin(map, BaOptions());
+  EXPECT_TRUE(calibration.is_running());
+  EXPECT_TRUE(calibration.is_focal_length_due(map));
+  EXPECT_FALSE(calibration.is_due(map)) << "one at a time";
+}
+
 // Another producer has moved the map while the estimate ran: applied, it would move keyframes back.
 TEST(SelfCalibration, AnEstimateOfAMapThatHasMovedIsDropped) {
   SyntheticDrive o;

@@ -74,8 +74,8 @@ class SelfCalibration {
   bool needs_matches() const { return !finished_ && params_.refine != "none"; }
   /// Takes what corners show of the focal length up to now.
   void note_focal_length(const FocalError& by_corners);
-  /// True if corners show another focal length than is applied, and no estimate is running. Corners do not
-  /// know the map: it may be in doubt, and may be so because of the focal length.
+  /// True if corners show another focal length than is applied and no other estimate is running, and while
+  /// theirs is. Corners do not know the map: it may be in doubt, and may be so because of the focal length.
   bool is_focal_length_due(const Map& map) const;
   /// True if a checkpoint is reached, or is_focal_length_due(), and no estimate is running.
   bool is_due(const Map& map) const;
