@@ -53,15 +53,17 @@ RunCalibration calibration_from(const CalibrateArguments& args) {
 
 std::string finding_of_k1(const CameraRefinement& c) {
   if (c.sigma == 0) return "k1 was not estimated";
+  const std::string basis = std::to_string(c.keyframes) + " keyframes";
   if (c.state == CameraRefinement::State::kInsignificant)
     return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
-           ", " + std::to_string(c.keyframes) + " keyframes): the camera stays as it was";
+           ", " + basis + ")";
   return "residual k1 " + fixed(c.correction.k1, 4) + " +- " + fixed(c.sigma, 4) +
-         " (one standard deviation), from " + std::to_string(c.keyframes) + " keyframes";
+         " (one standard deviation), from " + basis;
 }
 
 std::string finding(const CameraRefinement& c) {
   const CameraRefinement::FocalLength& f = c.focal_length;
+  if (c.correction.keeps_lens()) return finding_of_k1(c) + ": the camera stays as it was";
   if (c.correction.focal == 0) return finding_of_k1(c);
   return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * f.sigma, 1) +
          " % off the file's, by corners in " + std::to_string(f.windows) + " windows of views; " +

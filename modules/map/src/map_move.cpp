@@ -124,6 +124,13 @@ void correct_measurements(const LensMove& lens, const KeyframeMove& move, Keyfra
   }
 }
 
+// Where the focal length turns out shorter, the images grow: points that lie outside them now are dropped.
+void drop_points_outside(const Pinhole& pinhole, Keyframe* k) {
+  k->points.erase(std::remove_if(k->points.begin(), k->points.end(),
+                                 [&](const MapPoint& p) { return !pinhole.contains(p.px); }),
+                  k->points.end());
+}
+
 void require(bool fulfilled, const char* what) {
   if (!fulfilled) throw std::invalid_argument(std::string("move of the map: ") + what);
 }
@@ -186,6 +193,9 @@ MapMoved Map::move(MapMoved moved, const Rebuild& rebuild) {
       }
       move_depths(*m, &k);
     }
+  // Those of marginalised keyframes are in the records, point by point.
+  if (moved.lens)
+    for (Keyframe& k : active_) drop_points_outside(rectification_.target(), &k);
   move_stored(moved);
   ++moves_;
   log_->append(moved);

@@ -6,12 +6,15 @@
 
 #include "edgevo/bundle_adjustment/gauge.h"
 #include "edgevo/map/corrected_pixel.h"
+#include "edgevo/self_calibration/focal_by_corners.h"
 
 namespace edgevo {
 namespace {
 
 // Standard deviations: at which one that is in use is replaced, and at which the file's comes back.
 constexpr double kOther = 1, kSameAsFile = 1.5;
+// Share of the largest error beyond which the true one may be larger still.
+constexpr double kSureUpTo = 0.95;
 // Share of the significance at which one is tried first.
 constexpr double kTried = 2.0 / 3;
 // Cost of the map with a focal length far off the one in use: with true ones it was 0.5 to 1.13 times that
@@ -24,6 +27,7 @@ std::optional<double> focal_length_to_try(const CameraRefinement& known, double 
   const CameraRefinement::FocalLength& found = known.focal_length;
   const double in_use = known.correction.focal;
   if (!(found.sigma > 0) || found.windows <= found.windows_rejected) return std::nullopt;
+  if (std::abs(found.estimate) > kSureUpTo * kMostFocalError) return std::nullopt;
   const auto try_if = [&](bool tries) { return tries ? std::make_optional(found.estimate) : std::nullopt; };
   if (in_use == 0) return try_if(std::abs(found.estimate) > kTried * significance * found.sigma);
   if (std::abs(found.estimate) < kSameAsFile * found.sigma) return 0.0;

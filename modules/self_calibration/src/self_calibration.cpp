@@ -69,7 +69,7 @@ SelfCalibration::SelfCalibration(const Rectification& rectification, const SelfC
     : rectification_(rectification), params_(params), next_checkpoint_(first_checkpoint(params)) {
   if (params.refines_k1()) state_.state = State::kTooEarly;
   if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
-  if (params.refines_focal_length()) state_.focal_length.state = State::kTooEarly;
+  if (refines_focal_length()) state_.focal_length.state = State::kTooEarly;
   state_.correction.readout_s = params.readout_s;
 }
 

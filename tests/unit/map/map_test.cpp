@@ -55,6 +55,22 @@ class MapOfFive : public ::testing::Test {
     moved.keyframes[0].length_ratio = 0.5;
     return moved;
   }
+  // All points are seen a pixel further to the right.
+  MapMoved other_lens() const {
+    MapMoved moved;
+    moved.segment = 6;
+    moved.prior.emplace();
+    moved.lens = LensChange{{}, {0.03, 0}};
+    for (const std::deque<Keyframe>* keyframes : {&map_.marginalised(), &map_.active()})
+      for (const Keyframe& k : *keyframes) {
+        KeyframeMove m;
+        m.id = k.id;
+        m.T_cam_newest = k.T_cam_world * map_.active().back().T_cam_world.inverse();
+        for (const MapPoint& p : k.points) m.points.push_back({p.px + Eigen::Vector2d(1, 0), 0.3});
+        moved.keyframes.push_back(m);
+      }
+    return moved;
+  }
   template <class Event>
   std::vector<Event> events() {
     std::vector<Event> found;
@@ -163,6 +179,19 @@ TEST_F(MapOfFive, APastKeyframeMovesWithoutALens) {
   EXPECT_EQ(announced[0].T_newest_map.matrix(), moved.T_newest_map.matrix());
 }
 
+// A focal length that turns out shorter takes points of the window out of the image, where no cell holds
+// them.
+TEST_F(MapOfFive, PointsThatALensTakesOutOfTheImageAreDropped) {
+  MapMoved moved = other_lens();
+  const auto take_out = [&](KeyframeMove* m) { m->points[1].px = {-3, 20}; };
+  take_out(&moved.keyframes.front()), take_out(&moved.keyframes.back());
+  map_.move(moved, same_images);
+  EXPECT_EQ(map_.active().back().points.size(), 2u);
+  EXPECT_EQ(map_.active().front().points.size(), 3u);
+  EXPECT_EQ(map_.marginalised().front().points.size(), 3u) << "as many as its record has";
+  map_.move(half_the_way(), same_images);
+}
+
 // Also of a keyframe whose matches are gone.
 TEST_F(MapOfFive, AKeyframeOfTheDistantPastMovesByItsRecord) {
   const MapMoved moved = half_the_way();
@@ -172,18 +201,7 @@ TEST_F(MapOfFive, AKeyframeOfTheDistantPastMovesByItsRecord) {
 }
 
 TEST_F(MapOfFive, ALensMovesWhatIsMeasuredInTheImages) {
-  MapMoved moved;
-  moved.segment = 6;
-  moved.prior.emplace();
-  moved.lens = LensChange{{}, {0.03, 0}};
-  for (const std::deque<Keyframe>* keyframes : {&map_.marginalised(), &std::as_const(map_).active()})
-    for (const Keyframe& k : *keyframes) {
-      KeyframeMove m;
-      m.id = k.id;
-      m.T_cam_newest = k.T_cam_world * map_.active().back().T_cam_world.inverse();
-      for (const MapPoint& p : k.points) m.points.push_back({p.px + Eigen::Vector2d(1, 0), 0.3});
-      moved.keyframes.push_back(m);
-    }
+  MapMoved moved = other_lens();
   int rebuilt = 0;
   const Eigen::Vector2d match = map_.marginalised()[0].points[0].observations[0].match.px;
   map_.move(moved, [&](const Keyframe& k) {

@@ -47,6 +47,11 @@ TEST(FocalLength, FollowsALaterEstimate) {
   EXPECT_EQ(tried(found(0.05, 0.05, 0.2)), 0.0) << "the file was right";
 }
 
+TEST(FocalLength, IsNotTriedAtItsLimit) {
+  EXPECT_TRUE(tried(found(0.6, 0.05)));
+  EXPECT_FALSE(tried(found(0.69, 0.05))) << "the true one may be larger still";
+}
+
 TEST(FocalLength, WaitsForAnotherWindowWhereTheMapSpokeAgainstIt) {
   CameraRefinement known = found(0.2, 0.05);
   known.focal_length.windows_rejected = known.focal_length.windows;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/run_warnings.h"
 #include "summary_parts.h"
@@ -54,10 +56,14 @@ std::string focal_length_statement(const CameraRefinement::FocalLength& f, const
   if (f.state == State::kOff) return "off: the focal length was taken from the camera file";
   if (c.focal != 0) return "applied: images and map are corrected by residual_focal";
   if (f.sigma == 0) return "the camera did not turn enough, or showed too few corners, for an estimate";
-  if (f.windows > 0 && f.windows == f.windows_rejected)
+  if (std::abs(f.estimate) < 3 * f.sigma)
+    return "not applied: the camera file's is right to three standard deviations of the estimate";
+  if (f.windows == f.windows_rejected)
     return "not applied: corners contradict the camera file, and the matches of the map contradict the "
            "corners";
-  return "not applied: the camera file's is right to three standard deviations";
+  return "NOT APPLIED, although corners contradict the camera file: they did so too late, or the estimate is "
+         "at "
+         "its limit";
 }
 
 void write_focal_length(const CameraRefinement& c, YamlWriter* y) {
