@@ -95,6 +95,18 @@ void print_lens_seen(const CameraRefinement::Lens& l) {
       l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma);
 }
 
+// Nothing is printed of one that is in the new file.
+void print_focal_length_seen(const CameraRefinement& c) {
+  constexpr double kSigmas = 3;
+  const CameraRefinement::FocalLength& f = c.focal_length;
+  if (c.correction.focal == 0 && std::abs(f.estimate) > kSigmas * f.sigma)
+    std::printf(
+        "by corners, the focal length is %+.1f +- %.1f %% off the file's, which the run has not corrected: "
+        "not in "
+        "the file (calibrate from a board, --chessboard, or --from-motion)\n",
+        100 * f.estimate, 100 * f.sigma);
+}
+
 void print_use(const CalibrateArguments& args, const Camera& camera) {
   std::string programs = "ROS";
   if (args.format == "kalibr") programs = "Kalibr";
@@ -112,6 +124,7 @@ int calibrate_from_run(const CalibrateArguments& args) {
              camera_file_text(corrected.camera, args.format, "Self-calibration of edgevo: " + found));
   std::printf("%s: %s\n", run.path.c_str(), found.c_str());
   if (!run.refinement.correction.keeps_lens()) print_change(run.camera, corrected);
+  print_focal_length_seen(run.refinement);
   print_lens_seen(run.refinement.lens);
   if (run.refinement.correction.readout_s != 0)
     std::printf(

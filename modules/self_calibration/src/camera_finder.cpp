@@ -50,9 +50,10 @@ class CameraFinder {
   }
 
   CameraFinding run() {
-    if (knew_more()) return nothing();
+    // Corners know it whatever the map, also a later, shorter one.
     if (const std::optional<double> focal = focal_length_to_try(known_, params_.significance))
       return try_focal_length(*focal);
+    if (knew_more()) return nothing();
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);

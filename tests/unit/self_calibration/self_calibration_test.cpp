@@ -257,6 +257,21 @@ TEST(SelfCalibration, AFocalLengthThatTheMapSpeaksAgainstStaysOut) {
   EXPECT_TRUE(calibration.is_focal_length_due(map));
 }
 
+// A segment that knows less of k1 than the one before waits for nothing here.
+TEST(SelfCalibration, AFocalLengthIsTriedInAShorterSegment) {
+  SyntheticDrive first;
+  first.k1 = 0.012;
+  SelfCalibration calibration(test::pinhole(), {});
+  const std::vector<Keyframe> drive = make_drive(first);
+  ASSERT_TRUE(calibration.estimate(map_of(drive, drive.size()), BaOptions(), true));
+  ASSERT_EQ(calibration.state().state, CameraRefinement::State::kApplied);
+  const Map shorter = map_of(corrected_by(calibration.state().correction, drive), 20);
+  calibration.note_focal_length({0.25, 0.05, 3});
+  ASSERT_TRUE(calibration.is_focal_length_due(shorter));
+  EXPECT_FALSE(calibration.estimate(shorter, BaOptions(), false)) << "this map speaks against it";
+  EXPECT_FALSE(calibration.is_focal_length_due(shorter)) << "it was tried";
+}
+
 TEST(SelfCalibration, KeepsTheFocalLengthOfTheFileUnlessAskedTo) {
   const std::vector<Keyframe> drive = make_drive({});
   const Map map = map_of(drive, 20);
