@@ -166,6 +166,15 @@ double ease(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
 
 }  // namespace
 
+double seconds_along(const SceneParams& params, const std::string& where) {
+  constexpr double kSecondsPerStep = 0.01;
+  const SampledPath path = make_path(params, -1, where);
+  Driver driver(path);
+  double seconds = 0;
+  for (; !driver.at_end(); seconds += kSecondsPerStep) driver.advance(kSecondsPerStep);
+  return seconds;
+}
+
 std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_frame, const std::string& where) {
   const MotionParams& m = params.motion;
   const bool pauses = m.pause_turn_deg != 0;

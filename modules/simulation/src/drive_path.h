@@ -17,4 +17,7 @@ struct PathPoint {
 /// InputError: the path ends before the frames do, or a leg is too short for its turn.
 std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_frame, const std::string& where);
 
+/// Duration of the drive once along all waypoints, seconds. Throws InputError as drive_along().
+double seconds_along(const SceneParams& params, const std::string& where);
+
 }  // namespace edgevo

@@ -19,16 +19,51 @@ double seconds_at(size_t step, double rate_hz) {
   return (double(step / kStepsPerFrame) + double(step % kStepsPerFrame) / kStepsPerFrame) / rate_hz;
 }
 
+// Distance of `t` from the nearest even multiple of `leg`, rounded over `reversal` about each turning point:
+// the time at which a drive that goes to and fro is where a single one would be.
+double to_and_fro(double t, double leg, double reversal) {
+  const double in_round = t - 2 * leg * std::floor(t / (2 * leg));
+  const double from_end = std::abs(in_round - leg);                  // at the far end: 0
+  const double from_start = std::min(in_round, 2 * leg - in_round);  // at the start: 0
+  const auto rounded = [&](double x) { return x * x / reversal + reversal / 4; };
+  if (from_end < reversal / 2) return leg - rounded(from_end);
+  if (from_start < reversal / 2 && t > leg) return rounded(from_start);
+  return from_start;
+}
+
+PathPoint between(const std::vector<PathPoint>& path, double step) {
+  const size_t i = size_t(std::clamp(std::floor(step), 0.0, double(path.size() - 2)));
+  const double t = step - double(i);
+  const PathPoint &a = path[i], &b = path[i + 1];
+  const double turn = std::remainder(b.yaw - a.yaw, 360 * kRadian);
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.yaw + t * turn};
+}
+
+// The path of all legs: the first one, forwards and backwards.
+std::vector<PathPoint> drive_legs(const SceneParams& params, const std::string& where) {
+  SceneParams one = params;
+  one.frames = (params.frames + params.motion.legs - 1) / params.motion.legs;
+  const std::vector<PathPoint> path = drive_along(one, kStepsPerFrame, where);
+  const double leg = double(path.size() - 1),
+               reversal = params.motion.reversal_s * params.rate_hz * kStepsPerFrame;
+  std::vector<PathPoint> all;
+  for (size_t i = 0; i < size_t(params.frames) * kStepsPerFrame; ++i)
+    all.push_back(between(path, to_and_fro(double(i), leg, std::min(reversal, leg))));
+  return all;
+}
+
 std::vector<SE3> drive(const SceneParams& params, Random random, const std::string& where) {
   const MotionParams& m = params.motion;
-  const std::vector<PathPoint> path = drive_along(params, kStepsPerFrame, where);
+  const std::vector<PathPoint> path =
+      m.legs > 1 ? drive_legs(params, where) : drive_along(params, kStepsPerFrame, where);
   const SmoothNoise pitch(&random, m.sway_hz), roll(&random, m.sway_hz), yaw(&random, m.sway_hz),
-      lift(&random, m.sway_hz);
+      lift(&random, m.sway_hz), glance(&random, m.glance_hz);
   std::vector<SE3> poses;
   for (size_t i = 0; i < path.size(); ++i) {
     const double t = seconds_at(i, params.rate_hz), sway = m.sway_deg * kRadian;
     const Eigen::Vector3d position(path[i].x, path[i].y, m.height + m.sway_m * lift(t));
-    poses.push_back(look(position, path[i].yaw - m.look_right_deg * kRadian + sway / 3 * yaw(t),
+    const double aside = m.glance_deg * kRadian * glance(t) - m.look_right_deg * kRadian;
+    poses.push_back(look(position, path[i].yaw + aside + sway / 3 * yaw(t),
                          m.look_down_deg * kRadian + sway * pitch(t), sway * roll(t)));
   }
   return poses;

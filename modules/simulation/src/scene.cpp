@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "drawn_params.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/records.h"
@@ -88,6 +89,7 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   Scene scene;
   scene.name = path.stem().string() + (season.empty() ? "" : ":" + season);
   scene.seed = seed.value_or(uint64_t(params.seed));
+  if (is_drawn(params.world.kind)) draw_params(scene.seed, where, &params);
   scene.camera = params.camera.camera;
   scene.noise_sigma = params.camera.noise_sigma;
   scene.shutter = {params.camera.rolling_shutter_s, params.camera.exposure_s};

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "drawn_params.h"
 #include "edgevo/core/error.h"
 
 namespace edgevo {
@@ -92,6 +93,18 @@ std::string where_in_world(const std::string& text, const std::string& key, cons
   return file;
 }
 
+void check_waypoints(const SceneParams& params, const std::string& file) {
+  const std::string& where = params.where.waypoints;
+  if (is_drawn(params.world.kind)) {
+    if (!where.empty())
+      throw InputError(where, "the way_points of " + params.world.kind + " are drawn from the seed",
+                       "remove them");
+    return;
+  }
+  if (where.empty()) throw InputError(file, "has no way_points", kRemedy);
+  if (params.waypoints.size() < 2) throw InputError(where, "has fewer than two waypoints", kRemedy);
+}
+
 }  // namespace
 
 SceneParams parse_scene(const std::string& text, const std::string& file) {
@@ -101,9 +114,7 @@ SceneParams parse_scene(const std::string& text, const std::string& file) {
   read_params(rest, file, [&](ParamVisitor& v) { params.visit(v); });
   if (params.frames < 1)
     throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");
-  if (params.where.waypoints.empty()) throw InputError(file, "has no way_points", kRemedy);
-  if (params.waypoints.size() < 2)
-    throw InputError(params.where.waypoints, "has fewer than two waypoints", kRemedy);
+  check_waypoints(params, file);
   params.where.walls = where_in_world(text, "walls", file);
   params.where.sky = where_in_world(text, "sky", file);
   params.camera.camera.check(file);

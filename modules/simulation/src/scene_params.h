@@ -65,6 +65,12 @@ struct MotionParams {
   double pause_rate_deg = 30;
   /// Half the range of the movement (hand), metres.
   double amplitude = 0.3;
+  /// Standard deviation of the direction of view to the sides (drive), degrees, and its typical frequency.
+  double glance_deg = 0, glance_hz = 0.1;
+  /// Number of times that the path is driven (drive): forwards, then backwards without turning round, ...
+  int legs = 1;
+  /// Time in which the motion is reversed at the end of a leg (drive), seconds.
+  double reversal_s = 1;
   void visit(KeyVisitor& v) {
     v.text("kind", kind, {"drive", "hand"},
            "drive along waypoints, or move about the first one looking at the second");
@@ -82,6 +88,10 @@ struct MotionParams {
     v.number("pause_turn_deg", pause_turn_deg, -720, 720, "drive: pure rotation, to the left; 0: none");
     v.number("pause_rate_deg", pause_rate_deg, 0.1, 360, "drive: degrees a second of that turn");
     v.number("amplitude", amplitude, 0.001, 100, "hand: half the range of the movement, metres");
+    v.number("glance_deg", glance_deg, 0, 60, "drive: standard deviation of the view to the sides");
+    v.number("glance_hz", glance_hz, 0.01, 20, "drive: typical frequency of these glances");
+    v.integer("legs", legs, 1, 100, "drive: forwards, back without turning round, forwards, ...");
+    v.number("reversal_s", reversal_s, 0.05, 10, "drive: seconds in which the motion is reversed");
   }
 };
 
@@ -98,7 +108,10 @@ struct WorldParams {
   /// Season of a lakeshore: leaves, sun and haze (season.h); empty: none.
   std::string season;
   void visit(KeyVisitor& v) {
-    v.text("kind", kind, {"street", "desk", "lakeshore", "corridor", "plaza", "motorway"}, "what is built");
+    v.text("kind", kind,
+           {"street", "desk", "lakeshore", "corridor", "plaza", "motorway", "tiled_rooms", "open_land",
+            "parked_cars"},
+           "what is built; of the last three the seed draws camera, motion and light, too");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
     v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
     v.number("horizon_gray", horizon_gray, 0, 255, "gray of the sky at the horizon, which haze fades to");

@@ -9,7 +9,7 @@ const std::vector<TextureKind>& texture_kinds() {
   static const std::vector<TextureKind> kinds = [] {
     std::vector<TextureKind> all;
     for (const auto& family : {wall_textures(), front_textures(), ground_textures(), nature_textures(),
-                               object_textures(), body_textures()})
+                               object_textures(), body_textures(), plain_textures()})
       all.insert(all.end(), family.begin(), family.end());
     return all;
   }();

@@ -30,6 +30,10 @@ std::vector<TextureKind> object_textures();
 /// Kinds lorry_rear, bus_side, person (foreign_bodies.cpp).
 std::vector<TextureKind> body_textures();
 
+/// Kinds white_tiles, floor_slabs, wall_panels, ceiling_panels, painted_wall, worn_asphalt, meadow, whose
+/// sizes and contrasts are drawn, down to hardly any.
+std::vector<TextureKind> plain_textures();
+
 /// All kinds; names are unique.
 const std::vector<TextureKind>& texture_kinds();
 

@@ -33,7 +33,7 @@ Eigen::Vector3d sun_direction(const WorldParams& w) {
 World build_world(const SceneParams& params, uint64_t seed) {
   const WorldParams& w = params.world;
   WorldBuilder builder(seed, params.where.sky, sun_direction(w));
-  Site site{params, builder, wall_kinds(w.walls, params.where.walls)};
+  Site site{params, builder, wall_kinds(w.walls, params.where.walls), seed};
   builder.set_sky(w.sky, float(w.horizon_gray), float(w.haze_per_metre));
   if (w.kind == "street") build_street(site);
   if (w.kind == "desk") build_desk(site);
@@ -41,6 +41,9 @@ World build_world(const SceneParams& params, uint64_t seed) {
   if (w.kind == "corridor") build_corridor(site);
   if (w.kind == "plaza") build_plaza(site);
   if (w.kind == "motorway") build_motorway(site);
+  if (w.kind == "tiled_rooms") build_tiled_rooms(site);
+  if (w.kind == "open_land") build_open_land(site);
+  if (w.kind == "parked_cars") build_parked_cars(site);
   return builder.finish();
 }
 

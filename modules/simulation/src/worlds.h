@@ -18,6 +18,8 @@ struct Site {
   WorldBuilder& build;
   /// Kinds of texture for walls.
   std::vector<std::string> walls;
+  /// Seed of the scene, from which some worlds plan their path (room_plan.h).
+  uint64_t seed = 0;
 };
 
 void build_street(Site& site);
@@ -26,5 +28,8 @@ void build_lakeshore(Site& site);
 void build_corridor(Site& site);
 void build_plaza(Site& site);
 void build_motorway(Site& site);
+void build_tiled_rooms(Site& site);
+void build_open_land(Site& site);
+void build_parked_cars(Site& site);
 
 }  // namespace edgevo

@@ -137,7 +137,7 @@ TEST(BadScene, UnknownNameListsWhatThereIs) {
 
 TEST(Scene, NamesHoldWhatShips) {
   for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation", "desk_above", "office_walk",
-                           "tiles", "motorway"})
+                           "tiles", "motorway", "tiled_rooms", "open_land", "parked_cars"})
     EXPECT_THAT(scene_names(), Contains(name));
 }
 
