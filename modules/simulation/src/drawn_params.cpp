@@ -51,17 +51,20 @@ void draw_rooms(Random& random, uint64_t seed, const std::string& where, ScenePa
   params->world.sky.clear();
   params->world.horizon_gray = random.uniform(60, 200);  // outside of the windows
   params->world.haze_per_metre = 0;
-  params->world.density = random.uniform(0.4, 1.3);
+  params->world.density = random.uniform(0.15, 1.1);
   MotionParams& m = params->motion;
   m.speed = random.uniform(0.7, 1.2);
   m.height = random.uniform(1.2, 1.75);
   m.turn_radius = random.uniform(0.45, 0.8);
   m.acceleration = random.uniform(0.15, 0.7);  // in turns 25 to 70 degrees a second
-  m.look_down_deg = random.uniform(0, 20);
+  // Held level by half of the walkers, tilted towards the floor and to a side by the others.
+  const bool is_tilted = random.uniform() < 0.5;
+  m.look_down_deg = is_tilted ? random.uniform(10, 38) : random.uniform(0, 15);
+  m.roll_deg = is_tilted ? random.uniform(-30, 30) : random.uniform(-3, 3);
   m.sway_deg = random.uniform(2, 11);
   m.sway_m = random.uniform(0.01, 0.05);
   m.sway_hz = random.uniform(0.12, 0.3);
-  m.glance_deg = random.uniform(5, 20);
+  m.glance_deg = random.uniform(5, 30);
   m.glance_hz = random.uniform(0.1, 0.25);
   const RoomPlan plan = plan_rooms(*params, seed, where);
   params->waypoints = plan.waypoints;

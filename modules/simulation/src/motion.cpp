@@ -64,7 +64,7 @@ std::vector<SE3> drive(const SceneParams& params, Random random, const std::stri
     const Eigen::Vector3d position(path[i].x, path[i].y, m.height + m.sway_m * lift(t));
     const double aside = m.glance_deg * kRadian * glance(t) - m.look_right_deg * kRadian;
     poses.push_back(look(position, path[i].yaw + aside + sway / 3 * yaw(t),
-                         m.look_down_deg * kRadian + sway * pitch(t), sway * roll(t)));
+                         m.look_down_deg * kRadian + sway * pitch(t), m.roll_deg * kRadian + sway * roll(t)));
   }
   return poses;
 }

@@ -33,6 +33,7 @@ class OpenLandBuilder {
     is_dike_ = random_.uniform() < 0.5;
     drop_ = random_.uniform(2, 6);
     has_marks_ = random_.uniform() < 0.6;
+    has_rims_ = random_.uniform() < 0.6;
     field_ = b_.texture("meadow", random_.below(3));
   }
 
@@ -107,7 +108,7 @@ class OpenLandBuilder {
     const double over = &road == &roads_.back() ? 0 : 1;  // closes the wedge in the bend
     strip(left, 0, road.length + over, -kHalfRoad, kHalfRoad, 0, "worn_asphalt");
     for (double d : {-kHalfRoad + 0.25, kHalfRoad - 0.25})
-      strip(left, 0, road.length, d - 0.07, d + 0.07, kLift, "paint");
+      if (has_rims_) strip(left, 0, road.length, d - 0.07, d + 0.07, kLift, "paint");
     if (!has_marks_) return;
     constexpr double kDash = 4, kPeriod = 12;
     for (double s = 2; s + kDash < road.length; s += kPeriod)
@@ -201,7 +202,7 @@ class OpenLandBuilder {
   double density_;
   std::vector<Street> roads_;
   double near_end_ = 0, clear_ = 0, far_start_ = 0, drop_ = 0;
-  bool is_dike_ = false, has_marks_ = false;
+  bool is_dike_ = false, has_marks_ = false, has_rims_ = false;
   int field_ = 0;
 };
 

@@ -51,6 +51,8 @@ struct MotionParams {
   double look_right_deg = 0;
   /// Direction of view below the horizon (drive), degrees.
   double look_down_deg = 0;
+  /// Angle by which the camera is held rolled clockwise (drive), degrees.
+  double roll_deg = 0;
   /// Standard deviation of pitch and roll, degrees; that of yaw is a third of it.
   double sway_deg = 0.25;
   /// Standard deviation of the height (drive), metres.
@@ -81,6 +83,7 @@ struct MotionParams {
     v.number("acceleration", acceleration, 0.05, 20, "drive: m/s^2, sideways in turns and along the path");
     v.number("look_right_deg", look_right_deg, -180, 180, "drive: degrees between the path and the view");
     v.number("look_down_deg", look_down_deg, -80, 80, "drive: degrees under the horizon");
+    v.number("roll_deg", roll_deg, -180, 180, "drive: degrees by which the camera is rolled clockwise");
     v.number("sway_deg", sway_deg, 0, 20, "standard deviation of pitch and roll");
     v.number("sway_m", sway_m, 0, 1, "drive: standard deviation of the height, metres");
     v.number("sway_hz", sway_hz, 0.01, 20, "typical frequency of the sway");

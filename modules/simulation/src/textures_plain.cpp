@@ -59,7 +59,7 @@ Canvas white_tiles(Random& random) {
   Canvas c(kPlainSize, kPlainSize, 200);
   const int counts[] = {8, 10, 12, 16, 20};
   const int count = counts[random.below(5)];
-  const float field = float(random.uniform(165, 218));
+  const float field = float(random.uniform(165, 205));
   const double joint = random.uniform(1.2, 3);
   const float gap = gap_for(random, field), spread = float(random.uniform(0.5, 6));
   draw_grid(&c, random, {count, count, joint, field, gap, spread, random.uniform() < 0.25});
@@ -84,7 +84,7 @@ Canvas floor_slabs(Random& random) {
 Canvas wall_panels(Random& random) {
   Canvas c(kPlainSize, kPlainSize, 200);
   const int columns = 2 + random.below(4), rows = 2 + 2 * random.below(2);
-  const float field = float(random.uniform(170, 222));
+  const float field = float(random.uniform(170, 208));
   const double joint = random.uniform(2.5, 6);
   draw_grid(&c, random,
             {columns, rows, joint, field, gap_for(random, field), float(random.uniform(0, 5)), false});

@@ -35,6 +35,7 @@ class RoomsBuilder {
       const RoomStyle style = i > 0 && random_.uniform() < 0.4 ? last_ : any_style();
       room(plan_.rooms[i], style);
       if (i + 1 < plan_.rooms.size()) door_frame(plan_.rooms[i], plan_.rooms[i].doorways.back());
+      if (i + 1 < plan_.rooms.size() && random_.uniform() < 0.7) door_leaf(plan_.rooms[i + 1]);
       last_ = style;
     }
   }
@@ -53,8 +54,8 @@ class RoomsBuilder {
     s.ceiling = b_.any_texture(random_.uniform() < 0.7 ? "ceiling_panels" : "painted_wall", 3);
     s.trim = b_.any_texture(random_.uniform() < 0.6 ? "metal" : "wood", 5);
     s.dado = random_.uniform(0.8, 1.6);
-    s.wall_gain = float(random_.uniform(0.95, 1.6));
-    s.floor_gain = float(random_.uniform(0.75, 1.25));
+    s.wall_gain = float(random_.uniform(0.85, 1.2));
+    s.floor_gain = float(random_.uniform(0.7, 1.05));
     s.ceiling_gain = float(random_.uniform(1.1, 1.6));
     s.has_rail = random_.uniform() < 0.6;
     s.has_ceiling_lamps = random_.uniform() < 0.85;
@@ -127,6 +128,25 @@ class RoomsBuilder {
     b_.tile(place.point(0, out, d.height), across, -through, frame).gain *= gain;  // under the lintel
     b_.tile(place.point(0, -plan_.wall_m, 0), across, plan_.wall_m * place.out, frame).gain *=
         0.5f;  // threshold
+  }
+
+  // A plain door, open into the room that the walk comes into.
+  void door_leaf(const Room& r) {
+    constexpr double kThick = 0.045, kHandle = 1.05;  // metres
+    const Doorway& d = r.doorways.front();
+    const double width = std::min(d.width, 1.15), hinge = random_.uniform() < 0.5 ? 0 : d.width;
+    const double open = random_.uniform(1.6, 2.8);  // radians; pi: back against the wall
+    const LocalFrame place =
+        r.wall(d.side).moved(r.left_end(d) + hinge, 0.03, 0, hinge > 0 ? open - M_PI : -open);
+    for (double along : {0.5, 1.0})
+      if (distance_to_walk(place.point(along * width, 0, 0)) < 0.3) return;
+    const int skin = b_.any_texture("painted_wall", 3);
+    const float gain = float(random_.uniform(0.7, 1.4));
+    b_.box(place, {0, width, -kThick / 2, kThick / 2, 0.01, d.height - 0.02}, skin, skin, -1, true, gain);
+    b_.box(place, {width - 0.14, width - 0.04, -0.06, 0.06, kHandle, kHandle + 0.03}, metal_, metal_, -1,
+           false);
+    b_.box(place, {width - 0.1, width - 0.06, -0.03, 0.03, kHandle - 0.12, kHandle + 0.12}, metal_, metal_,
+           -1, false);
   }
 
   double distance_to_walk(const Eigen::Vector3d& p) const {
