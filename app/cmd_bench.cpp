@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <limits>
 #include <memory>
+#include <optional>
 
 #include "bench_host.h"
 #include "commands.h"
@@ -17,6 +19,7 @@ struct BenchArguments {
   std::string list, out, data = ".", list_file;
   EngineOptions engine;
   bool plan = false;
+  std::optional<uint64_t> scene_seed;
   // Steps that the engine calls.
   bool table = false;
   std::string job, scene;
@@ -58,7 +61,8 @@ int run_all(const BenchList& list, const BenchTarget& target, const EngineOption
 }
 
 int bench(const BenchArguments& args) {
-  const BenchList list = read_bench_list(args.list);
+  BenchList list = read_bench_list(args.list);
+  if (args.scene_seed) set_scene_seed(*args.scene_seed, "--scene-seed", &list);
   const BenchTarget target{args.list_file.empty() ? args.list : args.list_file, args.out, args.data};
   if (!args.job.empty()) return run_planned_job(list, target, args.job, bench_host());
   if (!args.scene.empty()) return render_planned_scene(list, target, args.scene, args.threads);
@@ -109,6 +113,10 @@ void add_bench_command(CLI::App& app, Action* action) {
       ->add_option("--data", args->data,
                    "folder that holds the sources of LIST (default: the current folder)")
       ->check(path_given());
+  command
+      ->add_option("--scene-seed", args->scene_seed,
+                   "seed of all scenes of LIST instead of its own, to repeat the scenes of another day")
+      ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   add_engine_options(command, args.get());
   add_steps(command, args.get());
   command->callback([=] { *action = [=] { return bench(*args); }; });

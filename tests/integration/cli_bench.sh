@@ -98,6 +98,23 @@ sed "s/^seeds: .*/seeds: $seed/" long.yaml >first_job.yaml
 run_code 0 "$edgevo" bench first_job.yaml -o cut
 check "finished jobs do not run again" "$(grep -c '^1 jobs: 0 run, 1 done before' stdout)" -eq 1
 
+# The scenes of a day: the rule gives a number, which the table names and another day repeats.
+printf 'scene_seed: days_since 2026-01-01\nseeds: 7\nsequences:\n  cars:\n    source: scene:parked_cars\n    frames: 0:12\n' >unseen.yaml
+days=$((($(date -u +%s) - $(date -u -d 2026-01-01 +%s)) / 86400))
+run_code 0 "$edgevo" bench unseen.yaml -o unseen
+drawn=$(sed -n 's/^# seed of all scenes: //p' unseen/table.csv)
+check "seed by the rule" "$drawn" -ge "$days"  # midnight may have passed
+check "and no later" "$drawn" -le "$((days + 1))"
+run_code 0 "$edgevo" bench unseen.yaml -o unseen --scene-seed "$drawn"
+check "the same scene is not run again" "$(grep -c '^1 jobs: 0 run, 1 done before' stdout)" -eq 1
+cp unseen/cars/normal/groundtruth_tum.txt drawn.txt
+run_code 0 "$edgevo" bench unseen.yaml -o unseen --scene-seed 5
+check "another scene is" "$(grep -c '^1 jobs: 1 run, 0 done before' stdout)" -eq 1
+check "the table names it" "$(grep -c '^- seed of all scenes: 5$' unseen/table.md)" -eq 1
+if cmp -s drawn.txt unseen/cars/normal/groundtruth_tum.txt; then fail "--scene-seed changes no scene"; fi
+printf 'sequences:\n  desk:\n    source: %s\n' "$scenes/desk" >recorded.yaml
+complains "--scene-seed: the list renders no scene" "$edgevo" bench recorded.yaml -o none --scene-seed 5
+
 bad_list() {
   pattern=$1
   printf "$2" >bad.yaml
@@ -108,6 +125,7 @@ bad_list "bad.yaml:3: there is no scene 'stret'\|bad.yaml:3: there is no scene" 
 bad_list "bad.yaml:3: there is no 'nowhere'.*--data" 'sequences:\n  a:\n    source: nowhere\n'
 bad_list "bad.yaml:2: unknown variant 'glaer'; did you mean 'glare'" '# x\nvariants: normal glaer\nsequences:\n  a:\n    source: scene:desk\n'
 bad_list "bad.yaml:1: 'five' is not a seed" 'seeds: five\nsequences:\n  a:\n    source: scene:desk\n'
+bad_list "bad.yaml:1: 'today' is not a date" 'scene_seed: days_since today\nsequences:\n  a:\n    source: scene:desk\n'
 bad_list "bad.yaml:4: unknown parameter.*did you mean 'sequences.a.source'" 'sequences:\n  a:\n    source: scene:desk\n    sourc: x\n'
 bad_list "bad.yaml:3: --frames '9'.*A:B" 'sequences:\n  a:\n    source: scene:desk\n    frames: 9\n'
 bad_list "bad.yaml:3: params.yaml: cannot be read" 'sequences:\n  a:\n    source: scene:desk\n    params: params.yaml\n'

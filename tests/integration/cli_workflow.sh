@@ -12,8 +12,8 @@ sequences:
     source: scene:desk
     frames: 0:16
 EOF
-# untimed FILE.csv: without the columns of times.
-untimed_table() { awk -F, '!/^#/ { NF -= 2; print }' OFS=, "$1" >"$1.untimed"; }
+# untimed FILE.csv: without the columns of times, which stand before the last one.
+untimed_table() { awk -F, '!/^#/ { $(NF - 2) = $(NF - 1) = "-"; print }' OFS=, "$1" >"$1.untimed"; }
 ends() { cat "$1"/workflow/jobs/desk/*/*.log 2>/dev/null | grep -c ': ended, '; }
 
 run_code 0 "$edgevo" bench list.yaml -o whole --cores 2

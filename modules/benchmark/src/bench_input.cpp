@@ -63,7 +63,7 @@ BenchInput::BenchInput(const BenchSequence& sequence, const std::string& data, c
     : sequence_(sequence) {
   const fs::path list_folder = fs::path(list).parent_path();
   const std::string& where = sequence.where;
-  const bool rendered = sequence.source.rfind(kScenePrefix, 0) == 0;
+  const bool rendered = sequence.is_rendered();
   if (rendered) scene_ = sequence.source.substr(kScenePrefix.size());
   if (rendered && !is_scene_name(scene_)) scene_ = below(list_folder, scene_);
   at(where, [&] { source_.path = rendered ? "" : source_folder(below(data, sequence.source)); });
@@ -88,10 +88,14 @@ void BenchInput::check_output(const std::string& out) const {
   if (scene_.empty()) check_apart(source_.path, out);
 }
 
-std::string BenchInput::scene_key() const { return scene_.empty() ? "" : scene_ + " " + sequence_.frames; }
+std::string BenchInput::scene_key() const {
+  if (scene_.empty()) return "";
+  const std::optional<uint64_t>& seed = sequence_.scene_seed;
+  return scene_ + " " + sequence_.frames + (seed ? " seed " + std::to_string(*seed) : "");
+}
 
 std::shared_ptr<const SceneRenderer> BenchInput::renderer() const {
-  return std::make_shared<const SceneRenderer>(load_scene(scene_));
+  return std::make_shared<const SceneRenderer>(load_scene(scene_, sequence_.scene_seed));
 }
 
 void BenchInput::render_to(const std::string& folder, int threads) {
@@ -181,10 +185,13 @@ std::string BenchInput::description(const BenchVariant& variant) const {
   RunParams params = with_settings(variant);
   const auto visit = [&](ParamVisitor& v) { params.visit(v); };
   const std::string camera = camera_text_.empty() ? "" : "camera: |\n" + indented(camera_text_);
+  const std::string seed =
+      sequence_.scene_seed ? "scene_seed: " + std::to_string(*sequence_.scene_seed) + '\n' : "";
   const std::string text =
       "sequence: " + yaml_scalar(sequence_.name) +
       "\nsource: " + yaml_scalar(scene_.empty() ? source_.path : std::string(kScenePrefix) + scene_) +
-      "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + camera + "parameters:\n" + write_params(visit, 2);
+      "\nframes: " + yaml_scalar(sequence_.frames) + '\n' + seed + camera + "parameters:\n" +
+      write_params(visit, 2);
   if (is_plain) description_ = text;
   return text;
 }

@@ -19,7 +19,7 @@ constexpr const char* kSetGroup = "set.";
 
 // Texts of the file, strictly read, and the location of each key.
 struct RawList {
-  std::string seeds = "1..5", variants = "normal", detectors;
+  std::string seeds = "1..5", variants = "normal", detectors, scene_seed;
   std::vector<BenchSequence> sequences;
   std::vector<std::string> sequence_variants;                 // of each sequence; empty: the default
   std::vector<std::pair<std::string, std::string>> settings;  // name and its assignments
@@ -213,6 +213,7 @@ void find_sequences(const std::vector<YamlEntry>& entries, RawList* list) {
 void visit(KeyVisitor& v, RawList* list) {
   v.text("seeds", list->seeds, {}, "");
   v.text("variants", list->variants, {}, "");
+  v.text("scene_seed", list->scene_seed, {}, "");
   v.text("detectors", list->detectors, {}, "");
   if (!list->settings.empty()) {
     const auto set = v.group("set");
@@ -295,8 +296,8 @@ std::vector<uint64_t> parse_seeds(const std::string& text, const std::string& wh
 }
 
 BenchList parse_bench_list(const std::string& text, const std::string& where,
-                           const std::vector<std::string>& lights,
-                           const std::vector<std::string>& detectors) {
+                           const std::vector<std::string>& lights, const std::vector<std::string>& detectors,
+                           std::chrono::system_clock::time_point now) {
   KnownWords known{lights, detectors, {}};
   RawList raw = read_raw(text, where);
   check_detectors(raw, known);
@@ -316,13 +317,26 @@ BenchList parse_bench_list(const std::string& text, const std::string& where,
     s.variants = parse_variants(as_named ? variants : with_settings(variants, known), location, known);
     list.sequences.push_back(s);
   }
+  const std::string seed_line = raw.location("scene_seed");
+  if (!raw.scene_seed.empty())
+    set_scene_seed(parse_scene_seed(raw.scene_seed, seed_line, now), seed_line, &list);
   return list;
+}
+
+void set_scene_seed(uint64_t seed, const std::string& where, BenchList* list) {
+  bool has_scene = false;
+  for (BenchSequence& s : list->sequences)
+    if (s.is_rendered()) s.scene_seed = seed, has_scene = true;
+  if (!has_scene)
+    throw InputError(where, "the list renders no scene", "remove it, or name a `source: scene:...`");
+  list->scene_seed = seed;
 }
 
 std::string bench_list_yaml(const BenchList& list) {
   RawList raw;
   raw.seeds.clear();
   for (const uint64_t seed : list.seeds) raw.seeds += (raw.seeds.empty() ? "" : " ") + std::to_string(seed);
+  if (list.scene_seed) raw.scene_seed = std::to_string(*list.scene_seed);
   raw.sequences = list.sequences;
   for (const BenchSequence& s : list.sequences) {
     std::string names;

@@ -90,6 +90,7 @@ BenchHeader bench_header(const BenchList& list, const BenchHost& host) {
                      {"trials", seeds_text(list)},
                      {"parameters", parameter_files(list)},
                      {"CPU", "of the odometry alone; images are read or rendered beforehand"}};
+  if (list.scene_seed) header.emplace_back("seed of all scenes", std::to_string(*list.scene_seed));
   if (const std::string settings = settings_text(list); !settings.empty())
     header.emplace_back("settings", settings);
   return header;

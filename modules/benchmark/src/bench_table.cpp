@@ -45,9 +45,13 @@ const Column kColumns[] = {
     {"ate200_m", "ATE200 m", [](const Trial& t) { return if_evaluated(t, t.ate200_m); }, three_digits, false},
     {"drift_cm_per_m", "drift cm/m", [](const Trial& t) { return if_evaluated(t, t.drift_cm_per_m); },
      three_digits, false},
+    {"scale_error_percent", "scale off %",
+     [](const Trial& t) { return if_evaluated(t, t.scale_error_percent); }, one_decimal, false},
     {"completion_percent", "frames with a pose %", [](const Trial& t) { return t.completion_percent; },
      one_decimal, true},
     {"segments", "segments", [](const Trial& t) { return double(t.segments); }, whole, false},
+    {"doubtful_frames", "doubtful frames", [](const Trial& t) { return double(t.doubtful_frames); }, whole,
+     false},
     {"wrong_frames", "wrong frames", [](const Trial& t) { return if_judged(t, t.wrong_frames); }, whole,
      false},
     {"noticed_percent", "noticed %",
@@ -88,6 +92,12 @@ double path_of(const BenchRow& row) {
   return kNone;
 }
 
+// Number of trials whose run would end with exit code 3.
+int failed_trials(const BenchRow& row) {
+  return int(
+      std::count_if(row.trials.begin(), row.trials.end(), [](const Trial& t) { return t.has_failed; }));
+}
+
 std::string trials_text(const BenchRow& row) {
   const size_t ended = row.trials.size();
   return row.missing == 0 ? std::to_string(ended)
@@ -108,7 +118,7 @@ std::string bench_csv(const BenchHeader& header, const std::vector<BenchRow>& ro
   for (const auto& [name, value] : header) text += "# " + name + ": " + value + '\n';
   text += "sequence,variant,trials,missing,path_m";
   for (const Column& c : kColumns) text += std::string(",") + c.csv_name + "_median," + c.csv_name + "_worst";
-  text += '\n';
+  text += ",exit_code_3\n";
   for (const BenchRow& row : rows) {
     text += row.sequence + ',' + row.variant + ',' + std::to_string(row.trials.size()) + ',' +
             std::to_string(row.missing) + ',' + number(path_of(row), three_digits);
@@ -116,7 +126,7 @@ std::string bench_csv(const BenchHeader& header, const std::vector<BenchRow>& ro
       const MedianAndWorst s = summarise(row, c);
       text += ',' + s.median + ',' + s.worst;
     }
-    text += '\n';
+    text += ',' + std::to_string(failed_trials(row)) + '\n';
   }
   return text;
 }
@@ -126,7 +136,7 @@ std::string bench_markdown(const BenchHeader& header, const std::vector<BenchRow
   for (const auto& [name, value] : header) text += "- " + name + ": " + value + '\n';
   text += "\nMedian over the trials (worst trial in brackets).\n\n| sequence | variant | trials | path m |";
   for (const Column& c : kColumns) text += std::string(" ") + c.title + " |", rule += "---|";
-  text += '\n' + rule + '\n';
+  text += " exit code 3 |\n" + rule + "---|\n";
   for (const BenchRow& row : rows) {
     text += "| " + row.sequence + " | " + row.variant + " | " + trials_text(row) + " | " +
             number(path_of(row), one_decimal) + " |";
@@ -134,7 +144,7 @@ std::string bench_markdown(const BenchHeader& header, const std::vector<BenchRow
       const MedianAndWorst s = summarise(row, c);
       text += ' ' + s.median + " (" + s.worst + ") |";
     }
-    text += '\n';
+    text += ' ' + std::to_string(failed_trials(row)) + " of " + std::to_string(row.trials.size()) + " |\n";
   }
   return text;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/benchmark/trial.h"
 
+#include <algorithm>
+
 #include "edgevo/core/run_statistics.h"
 
 namespace edgevo {
@@ -21,6 +23,9 @@ void Trial::visit(KeyVisitor& v) {
   v.number("drift_cm_per_m", drift_cm_per_m, 0, kLarge, "mean over intervals");
   v.number("failure_percent", failure_percent, 0, 100,
            "share of intervals above the cap of the drift or without poses");
+  v.number("scale_error_percent", scale_error_percent, 0, kLarge, "largest of the scale of an interval");
+  v.integer("doubtful_frames", doubtful_frames, 0, kMany, "frames that the program doubts");
+  v.boolean("has_failed", has_failed, "whether the exit code of a run would be 3");
   v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, per frame");
   v.number("map_ms", map_ms, 0, kLarge, "all other stages, per frame");
   v.integer("judged_frames", judged_frames, 0, kMany, "frames compared with ground truth one by one");
@@ -41,6 +46,13 @@ bool is_tracking(const std::string& stage) {
   return stage == "edges" || stage == "alignment" || stage == "corners" || stage == "witness";
 }
 
+// Largest ratio between the scale of an interval and that of the whole, in either direction.
+double scale_error_percent(const std::vector<ScalePoint>& curve) {
+  double worst = 1;
+  for (const ScalePoint& p : curve) worst = std::max({worst, p.relative_scale, 1 / p.relative_scale});
+  return 100 * (worst - 1);
+}
+
 }  // namespace
 
 Trial trial_of(const Run& run, double cpu_s) {
@@ -48,6 +60,8 @@ Trial trial_of(const Run& run, double cpu_s) {
   const RunCounts counts = count(run);
   trial.frames = counts.frames;
   trial.segments = counts.segments;
+  trial.doubtful_frames = counts.doubtful;
+  trial.has_failed = counts.mostly_failed() || counts.is_largely_doubtful();
   for (const FrameRecord& frame : run.frames)
     for (const auto& [stage, ms] : frame.stage_ms)
       (is_tracking(stage) ? trial.track_ms : trial.map_ms) += ms / trial.frames;
@@ -61,6 +75,7 @@ void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
   trial->evaluated = true;
   trial->ate_m = evaluation.ate_sim3.rmse;
   trial->ate200_m = evaluation.ate_blocks.rmse;
+  trial->scale_error_percent = scale_error_percent(evaluation.scale_curve);
   if (!evaluation.drift) return;
   trial->path_m = evaluation.drift->path_m;
   trial->drift_cm_per_m = evaluation.drift->mean_cm_per_m;

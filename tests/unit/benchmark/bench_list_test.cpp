@@ -165,11 +165,55 @@ TEST(BenchList, ABadSettingIsReportedWithItsLine) {
               HasSubstr("list:1: 'few+few' names the setting 'few' twice"));
 }
 
+// 28 November 2026, 23:59 UTC.
+constexpr std::chrono::system_clock::time_point kEvening{std::chrono::seconds(1795910340)};
+
+TEST(SceneSeed, IsTheNumberOfDaysUntilTodayOfGreenwich) {
+  const std::string rule = "days_since 2026-01-01";
+  EXPECT_EQ(parse_scene_seed(rule, "list:2", kEvening), 331u);
+  EXPECT_EQ(parse_scene_seed(rule, "list:2", kEvening + std::chrono::minutes(1)), 332u);
+  EXPECT_EQ(parse_scene_seed(rule, "list:2", kEvening - std::chrono::hours(24 * 331)), 0u);
+  EXPECT_EQ(parse_scene_seed("days_since 2024-02-28", "list:2", kEvening), 1004u) << "a leap year";
+  EXPECT_EQ(parse_scene_seed("331", "list:2", kEvening), 331u);
+}
+
+TEST(SceneSeed, OtherTextsAreRefusedWithTheirLine) {
+  const auto error = [](const std::string& text) {
+    try {
+      parse_bench_list("seeds: 1\nscene_seed: " + text + "\nsequences:\n  a:\n    source: scene:desk\n",
+                       "list", {}, {}, kEvening);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  for (const char* text :
+       {"-1", "7a", "days_since yesterday", "days_since 2026-02-29", "days_since 2026-13-01",
+        "days_since 2026-1-1", "days_since 2026-11-29", "days_until 2027-01-01"})
+    EXPECT_THAT(error(text), HasSubstr("list:2: ")) << text;
+  EXPECT_EQ(error("days_since 2026-11-28"), "no error");
+}
+
+TEST(SceneSeed, BelongsToTheScenesOfTheList) {
+  const std::string text =
+      "seeds: 1\nscene_seed: days_since 2026-01-01\nsequences:\n  a:\n    source: recorded\n";
+  EXPECT_THAT(error_of(text), HasSubstr("list:2: the list renders no scene"));
+  BenchList list = parse_bench_list(text + "  b:\n    source: scene:desk\n", "list", {}, {}, kEvening);
+  EXPECT_EQ(list.scene_seed, 331u);
+  EXPECT_EQ(list.sequences[0].scene_seed, std::nullopt);
+  EXPECT_EQ(list.sequences[1].scene_seed, 331u);
+  set_scene_seed(9, "--scene-seed", &list);
+  EXPECT_EQ(list.sequences[1].scene_seed, 9u);
+  const BenchList tomorrow =
+      parse_bench_list(bench_list_yaml(list), "copy", {}, {}, kEvening + std::chrono::hours(24));
+  EXPECT_EQ(tomorrow.sequences[1].scene_seed, 9u) << "a list that is run on keeps its scenes";
+}
+
 TEST(BenchList, ShippedListsAreRead) {
   const std::vector<std::string> lights{"drift",   "jumps", "gamma", "vignette", "glare", "blooming",
                                         "shadows", "blur",  "noise", "dropped",  "mixed"};
   for (const auto& [name, jobs] :
-       {std::pair("rendered", 100), {"real", 170}, {"lights", 300}, {"ablation", 2166}}) {
+       {std::pair("rendered", 100), {"real", 170}, {"lights", 300}, {"ablation", 2166}, {"unseen", 27}}) {
     const std::string path = std::string(EDGEVO_SOURCE_DIR) + "/share/bench/" + name + ".yaml";
     EXPECT_EQ(parse_bench_list(read_file(path, ""), path, lights).jobs(), jobs);
   }

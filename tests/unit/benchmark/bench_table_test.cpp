@@ -25,6 +25,7 @@ Trial trial(double ate_m, double cpu_ms = 20, double completion = 100) {
   t.ate200_m = ate_m / 2;
   t.drift_cm_per_m = 10 * ate_m;
   t.judged_frames = 90, t.wrong_frames = 10, t.noticed_frames = 8, t.right_frames = 80, t.false_alarms = 4;
+  t.scale_error_percent = 7.5, t.doubtful_frames = 12, t.has_failed = ate_m > 0.25;
   t.longest_unnoticed = 2, t.longest_off_scale = 3, t.roc_area = 0.9;
   return t;
 }
@@ -44,15 +45,17 @@ TEST(BenchTable, MedianAndMaximumOverSeeds) {
       "# edgevo: 1.0 abc\n# machine: a processor\n"
       "sequence,variant,trials,missing,path_m,ate_m_median,ate_m_worst,ate_percent_median,ate_percent_worst,"
       "ate200_m_median,"
-      "ate200_m_worst,drift_cm_per_m_median,drift_cm_per_m_worst,completion_percent_median,completion_"
+      "ate200_m_worst,drift_cm_per_m_median,drift_cm_per_m_worst,scale_error_percent_median,"
+      "scale_error_percent_worst,completion_percent_median,completion_"
       "percent_worst,segments_median,"
-      "segments_worst,wrong_frames_median,wrong_frames_worst,noticed_percent_median,noticed_percent_worst,"
+      "segments_worst,doubtful_frames_median,doubtful_frames_worst,wrong_frames_median,wrong_frames_worst,"
+      "noticed_percent_median,noticed_percent_worst,"
       "false_alarm_percent_median,false_alarm_percent_worst,longest_unnoticed_median,longest_unnoticed_worst,"
       "longest_off_scale_median,longest_off_scale_worst,roc_area_median,roc_area_worst,"
       "calibration_error_median,calibration_error_worst,nees_median_median,nees_median_worst,"
-      "cpu_ms_median,cpu_ms_worst\n"
-      "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,100.0,90.0,1,1,"
-      "10,10,80.0,80.0,5.0,5.0,2,2,3,3,0.900,0.900,-,-,-,-,20.0,30.0\n");
+      "cpu_ms_median,cpu_ms_worst,exit_code_3\n"
+      "street,normal,3,0,50.00,0.200,0.300,0.400,0.600,0.100,0.150,2.00,3.00,7.5,7.5,100.0,90.0,1,1,12,12,"
+      "10,10,80.0,80.0,5.0,5.0,2,2,3,3,0.900,0.900,-,-,-,-,20.0,30.0,1\n");
 }
 
 TEST(BenchTable, MarkdownHoldsTheSame) {
@@ -63,15 +66,16 @@ TEST(BenchTable, MarkdownHoldsTheSame) {
       text,
       HasSubstr(
           "| street | glare | 2 of 3 | 50.0 | 0.200 (0.300) | 0.400 (0.600) | 0.100 (0.150) | 2.00 (3.00) | "
-          "100.0 (100.0) | 1 (1) | 10 (10) | 80.0 (80.0) | 5.0 (5.0) | 2 (2) | 3 (3) | 0.900 (0.900) | - (-) "
+          "7.5 (7.5) | 100.0 (100.0) | 1 (1) | 12 (12) | 10 (10) | 80.0 (80.0) | 5.0 (5.0) | 2 (2) | 3 (3) | "
+          "0.900 (0.900) | - (-) "
           "| "
-          "- (-) | 20.0 (20.0) |\n"));
+          "- (-) | 20.0 (20.0) | 1 of 2 |\n"));
 }
 
 TEST(BenchTable, ALostTrialIsTheWorst) {
   const std::string one = bench_csv({}, {{"a", "normal", {trial(0.1), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(one, HasSubstr("a,normal,3,0,50.00,0.200,-,0.400,-,"));
-  EXPECT_THAT(one, HasSubstr(",100.0,0.0,1,1,10,-,80.0,"));
+  EXPECT_THAT(one, HasSubstr(",100.0,0.0,1,1,12,12,10,-,80.0,"));
   const std::string two = bench_csv({}, {{"a", "normal", {lost_trial(), lost_trial(), trial(0.2)}, 0, ""}});
   EXPECT_THAT(two, HasSubstr("a,normal,3,0,50.00,-,-,-,-,"));
   EXPECT_THAT(bench_csv({}, {{"a", "normal", {}, 5, ""}}), HasSubstr("a,normal,0,5,-,-,-,-,"));
@@ -100,6 +104,22 @@ TEST(Trial, IsReadBackFromItsFile) {
   EXPECT_EQ(read.note, written.note);
   EXPECT_EQ(read.frames, 100);
   EXPECT_TRUE(read.evaluated);
+}
+
+TEST(Trial, ItsScaleErrorIsThatOfTheWorstInterval) {
+  TrajectoryEvaluation evaluation;
+  evaluation.scale_curve = {{0, 9, 1.02}, {5, 14, 0.8}, {10, 19, 1.1}};
+  Trial t;
+  add_errors(evaluation, &t);
+  EXPECT_NEAR(t.scale_error_percent, 25, 1e-9);
+}
+
+TEST(Trial, ARunMostOfWhichHasNoPoseHasFailed) {
+  edgevo::Run run;
+  run.frames.resize(3);
+  EXPECT_TRUE(trial_of(run, 0.1).has_failed);
+  for (FrameRecord& frame : run.frames) frame.T_world_cam = SE3(), frame.segment = 0;
+  EXPECT_FALSE(trial_of(run, 0.1).has_failed);
 }
 
 TEST(Trial, CountsTheFramesOfARun) {

@@ -5,6 +5,7 @@
 //   seeds: 1..5                     # or: 1 2 7
 //   variants: normal every3 mixed   # default for all sequences; words joined by + are combined:
 //                                   # every3+glare
+//   scene_seed: 7                   # of all scenes, or `days_since YYYY-MM-DD`; default: that of each
 //   detectors: canny edge_drawing   # every variant with each of these; default: the parameter
 //   set:                            # every variant without and with each of these
 //     few_points: mapping.window.max_points=500
@@ -25,7 +26,9 @@
 // A name below `set` means parameters (GROUP.KEY=VALUE, separated by blanks) that override those of the
 // sequence. It can also be used as a word of a variant: `every3+no_corners`. If a variant of the list does
 // so, the list runs the variants that it names and no others.
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +84,11 @@ struct BenchSequence {
   std::vector<BenchVariant> variants;
   /// Location "LIST:LINE" of its source, for messages.
   std::string where;
+  /// Seed of the scene; nullopt: that of its file, or there is no scene.
+  std::optional<uint64_t> scene_seed;
+
+  /// Whether the source is a scene to be rendered.
+  bool is_rendered() const { return source.rfind(kScenePrefix, 0) == 0; }
 };
 
 /// Contents of a benchmark list.
@@ -89,6 +97,8 @@ struct BenchList {
   std::vector<uint64_t> seeds;
   /// Sequences in the order of the file.
   std::vector<BenchSequence> sequences;
+  /// Seed of all scenes; nullopt: those of their files.
+  std::optional<uint64_t> scene_seed;
 
   /// Number of runs of the list: variants of all sequences times seeds.
   int jobs() const;
@@ -96,13 +106,23 @@ struct BenchList {
 
 /// Strict parser: unknown keys and variants, invalid seeds, a sequence without a source, a name or seed given
 /// twice and a list without sequences are InputErrors "WHERE:LINE: ...". `lights` are the known changes of
-/// light, `detectors` the known edge detectors.
+/// light, `detectors` the known edge detectors; at `now` the seed of the scenes is determined.
 BenchList parse_bench_list(const std::string& text, const std::string& where,
                            const std::vector<std::string>& lights,
-                           const std::vector<std::string>& detectors = {});
+                           const std::vector<std::string>& detectors = {},
+                           std::chrono::system_clock::time_point now = std::chrono::system_clock::now());
+
+/// Replaces the seed of all scenes of the list. Throws InputError prefixed with `where` if it has no scene.
+void set_scene_seed(uint64_t seed, const std::string& where, BenchList* list);
+
+/// Seed of scenes from its text: a number, or "days_since YYYY-MM-DD", the number of days from that date to
+/// the date of `now`, both UTC. So nobody chooses the scenes of a day. Throws InputError prefixed with
+/// `where`, also for a date after `now`.
+uint64_t parse_scene_seed(const std::string& text, const std::string& where,
+                          std::chrono::system_clock::time_point now);
 
 /// The list as YAML that parse_bench_list() turns back into the same list, except for the locations
-/// (`where`).
+/// (`where`); the seed of the scenes is written as the number that it is.
 std::string bench_list_yaml(const BenchList& list);
 
 /// Parses seeds: "1..5" or "1 2 7". Throws InputError prefixed with `where`.

@@ -37,6 +37,15 @@ struct Trial {
   /// CPU time per frame of edges, alignment and corners, and of all other stages, milliseconds.
   double track_ms = 0, map_ms = 0;
 
+  /// Largest deviation of the scale of an interval of a sixth of the sequence, of 10 to 50 frames, from that
+  /// of the whole sequence (TrajectoryEvaluation::scale_curve), percent: 100 for half and for double the
+  /// scale.
+  double scale_error_percent = 0;
+  /// Number of doubtful frames (core/doubtful_intervals.h).
+  int doubtful_frames = 0;
+  /// Whether `edgevo run` would end with exit code 3: most frames have no pose, or too many are doubtful.
+  bool has_failed = false;
+
   // Judgement of the single frames of the live trajectory (evaluation/judgement_figures.h).
 
   /// Number of frames evaluated, wrong, and wrong and noticed.
