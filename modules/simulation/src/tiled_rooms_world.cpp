@@ -13,11 +13,11 @@ namespace {
 
 // Look of one room.
 struct RoomStyle {
-  int lower, upper, floor, ceiling, trim;
+  int lower = 0, upper = 0, floor = 0, ceiling = 0, trim = 0;
   /// Height up to which the wall shows `lower`, metres.
-  double dado;
-  float wall_gain, floor_gain, ceiling_gain;
-  bool has_rail, has_ceiling_lamps;
+  double dado = 1;
+  float wall_gain = 1, floor_gain = 1, ceiling_gain = 1;
+  bool has_rail = false, has_ceiling_lamps = false;
 };
 
 class RoomsBuilder {
