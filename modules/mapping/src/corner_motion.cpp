@@ -44,6 +44,7 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
   const cv::Mat image_from = equalised(from);
   Corners start = find_corners(image_from, kMaxFollowedCorners);
   drop_own(from, &start);
+  drop_on_edges(image_from, params.max_sigma_px, &start);
   PredictedCorners corners = predict_corners(pinhole, start, T_to_from.R());
   const std::vector<bool> found = follow_corners(image_from, equalised(to), corners.from, &corners.to);
   Corners first, last;

@@ -19,6 +19,11 @@ Corners find_corners(const cv::Mat& image, int count);
 /// Drops corners on parts that are fixed to the camera.
 void drop_own(const FramePyramid& pyramid, Corners* corners);
 
+/// Drops corners that lie on a straight edge, where they are followed across it only: along it they stay
+/// where the search begins, and confirm any motion. A corner is dropped if its standard deviation along the
+/// weaker gradient of its patch is larger than `max_sigma_px`. Cost: some 10 us a corner.
+void drop_on_edges(const cv::Mat& image, double max_sigma_px, Corners* corners);
+
 /// Follows the corners `from` of one image into another. `to` holds where the search starts, or is empty: at
 /// `from`. Returns one flag per corner: found in the image, and found again at its start when followed back.
 std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image_to, const Corners& from,

@@ -68,6 +68,9 @@ void CornerParams::visit(ParamVisitor& v) {
            "inlier share of a keyframe right after another one (large motion) below which corners give a "
            "motion hypothesis; 0: never");
   v.integer(kAdvanced, "min_agreeing", min_agreeing, 8, 10000, "corners that must agree on one motion");
+  v.number(kExperimental, "max_sigma_px", max_sigma_px, 0.2, 1000,
+           "standard deviation of a corner along the weaker gradient of its patch above which it counts as "
+           "one on an edge, where any motion along it fits, pixels");
 }
 
 void MappingParams::visit(ParamVisitor& v) {

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far the corners of a first view have moved when some of them are lost.
+// Which corners are measured in both directions, and how far those of a first view have moved when some of
+// them are lost.
 #include "corner_tracking.h"
 
 #include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/random.h"
 
 namespace edgevo {
 namespace {
@@ -30,6 +35,40 @@ TEST(MedianCornerMotion, LostCornersCountAsMovedFurther) {
 TEST(MedianCornerMotion, ManyLostCornersDoNotDecideAlone) {
   EXPECT_EQ(motion_of(20, 41), 15);
   EXPECT_EQ(motion_of(4, 4000), 3);
+}
+
+// A wall of tiles: a joint from left to right, one from top to bottom that meets it at (60, 60), and noise.
+cv::Mat joints() {
+  cv::Mat image(120, 200, CV_8U, cv::Scalar(180));
+  cv::line(image, {0, 60}, {199, 60}, cv::Scalar(60), 3);
+  cv::line(image, {60, 0}, {60, 119}, cv::Scalar(60), 3);
+  cv::GaussianBlur(image, image, {5, 5}, 1);
+  Random random(7);
+  for (int v = 0; v < image.rows; ++v)
+    for (int u = 0; u < image.cols; ++u) image.at<uchar>(v, u) += uchar(random.below(5));
+  return image;
+}
+
+// Along a joint a corner stays where the search begins, so that any motion along it seems to be confirmed.
+TEST(DropOnEdges, KeepsWhereEdgesMeetAndDropsWhatLiesOnOne) {
+  const Corners crossing{{60, 60}, {64, 57}};
+  const Corners along{{150, 60}, {150, 58}, {60, 20}, {120, 61}};
+  Corners corners = along;
+  corners.insert(corners.end(), crossing.begin(), crossing.end());
+  drop_on_edges(joints(), 1, &corners);
+  EXPECT_EQ(corners, crossing);
+}
+
+TEST(DropOnEdges, DropsWhatHasNoGradientAndTakesThoseAtTheBorder) {
+  Corners corners{{3, 3}, {196, 116}};
+  drop_on_edges(cv::Mat(120, 200, CV_8U, cv::Scalar(90)), 1, &corners);
+  EXPECT_TRUE(corners.empty());
+}
+
+TEST(DropOnEdges, KeepsAllWhereAnySigmaIsAllowed) {
+  Corners corners{{150, 60}, {60, 20}, {60, 60}};
+  drop_on_edges(joints(), 1000, &corners);
+  EXPECT_EQ(corners.size(), 3u);
 }
 
 }  // namespace

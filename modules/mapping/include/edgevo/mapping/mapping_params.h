@@ -89,6 +89,8 @@ struct CornerParams {
   double max_inlier_share = 0.7;
   /// Corners.
   int min_agreeing = 60;
+  /// Pixels.
+  double max_sigma_px = 1;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
