@@ -14,14 +14,17 @@ trap 'cleanup; rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 cd "$work" || exit 1
 failures=0
+failed=
 
 ok() { echo "ok    $1"; }
 fail() {
   echo "FAIL  $1"
   failures=$((failures + 1))
+  failed="$failed
+FAIL  $(echo "$1" | head -1)"
 }
 finish() {
-  [ "$failures" -eq 0 ] || { echo "$failures check(s) failed" >&2; exit 1; }
+  [ "$failures" -eq 0 ] || { echo "$failures check(s) failed:$failed" >&2; exit 1; }
   exit 0
 }
 skip() {

@@ -100,8 +100,9 @@ for fault in back twice swap none; do
   run_code 0 "$edgevo" run "$rawlog" -o out --quiet --force
 done
 
-# A camera, whose clock is set back after a few images: all images are in the rawlog at the times that other sensors have, too.
-sed "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|" \
+# A camera, whose clock is set back after a few images: all images are in the rawlog at the times that other sensors have, too. Ten
+# images a second: the clock is set back by another process, which may be late.
+sed "s|^process_rate = .*|process_rate = 10|; s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|" \
   "$here/../../share/rawlog_grabber_folder.ini" >edgevo.ini
 frames=$(ls "$street/images" | wc -l)
 ten_images() { [ "$(ls edges_*_Images 2>/dev/null | wc -l)" -ge 10 ]; }
