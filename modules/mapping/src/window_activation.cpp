@@ -32,13 +32,15 @@ std::vector<Window::Sight> Window::in_sight(const ImmaturePoint& candidate,
   return sights;
 }
 
-// Number of active points by cell of the newest image.
+// Number of active points by cell of the newest image. Those of an earlier host (passed on) fill no cell:
+// they are the far ones, and nearer ones must come in.
 std::vector<int> Window::count_active() const {
   std::vector<int> count(cells_.size(), 0);
   Eigen::Vector2d px;
   for (const Keyframe& host : keyframes()) {
     const SE3 T_newest_host = relative_pose(newest(), host);
     for (const MapPoint& p : host.points) {
+      if (p.known_sigma > 0) continue;
       if (host.id == newest().id)
         ++count[cells_.index(p.px.x(), p.px.y())];
       else if (in_view(pinhole_, T_newest_host, p.px, p.idepth, &px))

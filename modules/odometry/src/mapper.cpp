@@ -7,7 +7,6 @@
 
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/mapping/idepth_prior.h"
 #include "first_keyframes.h"
 #include "rebuilt_images.h"
 #include "stage_timer.h"
@@ -66,7 +65,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
     return "only " + std::to_string(stats.points) + " edge points matched in the first views";
   }
   next_id_ += int(window_.keyframes().size());
-  median_idepth_ = 1 / kFirstMedianDepth;
+  seen_idepths_ = {1 / kFirstMedianDepth, 0};
   publish(window_.newest());
   return {};
 }
@@ -325,11 +324,14 @@ void Mapper::drop_old_points() {
   }
 }
 
-// Adds immature points to a keyframe where the map has none.
+// Adds immature points to a keyframe where the map has none. Points that were passed on to it, the only ones
+// that it hosts by now, do not count: those stay in view for long since they are far away, and would keep
+// nearer ones out.
 void Mapper::seed_points(Keyframe* keyframe) {
-  IdepthPrior prior(cells_, params_.depth_filter, median_idepth_);
-  for (const CloudPoint& p : window_.cloud(*keyframe)) prior.add(p.px.cast<double>(), p.idepth);
-  median_idepth_ = prior.median();
+  IdepthPrior prior(cells_, params_.depth_filter, seen_idepths_);
+  for (const CloudPoint& p : window_.cloud(*keyframe))
+    if (p.host_keyframe != keyframe->id) prior.add(p.px.cast<double>(), p.idepth);
+  seen_idepths_ = prior.seen();
   std::vector<bool> occupied(cells_.size());
   for (int c = 0; c < cells_.size(); ++c) occupied[c] = prior.occupied(c) || moving_.cover(cells_.centre(c));
   DepthFilterParams wanted = params_.depth_filter;
@@ -350,7 +352,7 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->known_points = int(window_.cloud(keyframe).size());
   reference->wanted_points = window_.points_wanted();
   reference->view_share = window_.view_share(keyframe);
-  reference->median_idepth = median_idepth_;
+  reference->median_idepth = seen_idepths_.median;
   reference->unit = unit_;
   reference->error_factor = tracking_check_.error_factor();
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;

@@ -126,7 +126,8 @@ void Mapper::set_unit_back(const DoubtEnded& ended) {
   move_map(move_of_unit(*map_, ended.last_sure_keyframe, ended.length_ratio));
   // The prior knows lengths of the unit that is gone.
   window_.fix_bootstrap_scale();
-  median_idepth_ /= ended.length_ratio;
+  seen_idepths_.median /= ended.length_ratio;
+  seen_idepths_.nearest /= ended.length_ratio;
   unit_ *= ended.length_ratio;
   publish_again();
 }

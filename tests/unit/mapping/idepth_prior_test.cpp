@@ -10,7 +10,7 @@ namespace {
 TEST(IdepthPrior, SearchesAroundTheDepthsNearbyAndElsewhereAroundTheMedian) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, {0.5, 0});
   prior.add({50, 50}, 0.2);
   prior.add({60, 45}, 0.3);
   prior.add({200, 200}, 0.1);
@@ -26,7 +26,7 @@ TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   DepthFilterParams params;
   params.use_neighbour_depths = false;
-  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, {0.5, 0});
   for (const double idepth : {0.2, 0.3, 0.1}) prior.add({50, 50}, idepth);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).low, 0.02 * 0.2);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).high, 8 * 0.2);
@@ -35,7 +35,7 @@ TEST(IdepthPrior, WithoutNeighboursItSearchesAroundTheMedianEverywhere) {
 TEST(IdepthPrior, WithoutKnownDepthsTheEarlierMedianIsUsed) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, {0.5, 0});
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);
 }
 
@@ -43,11 +43,25 @@ TEST(IdepthPrior, WithoutKnownDepthsTheEarlierMedianIsUsed) {
 TEST(IdepthPrior, PointsAtInfinitySayNothingOfTheDepthsAroundThem) {
   const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
   const DepthFilterParams params;
-  IdepthPrior prior(CellGrid(camera, params.cell_px), params, 0.5);
+  IdepthPrior prior(CellGrid(camera, params.cell_px), params, {0.5, 0});
   for (int x = 10; x < 300; x += 20) prior.add({double(x), 55}, 1e-6);
   EXPECT_DOUBLE_EQ(prior.median(), 0.5);
   EXPECT_DOUBLE_EQ(prior.range({55, 55}).likely, 0.5);
   EXPECT_TRUE(prior.occupied(prior.grid().index(50, 55))) << "no other point is needed there";
+}
+
+// On the way back from open land: what lies ahead is far, what comes into view as near as it was before.
+TEST(IdepthPrior, SearchesAsNearAsTheMapHasSeen) {
+  const Pinhole camera{260, 250, 159.5, 119.5, 320, 240};
+  const DepthFilterParams params;
+  IdepthPrior houses(CellGrid(camera, params.cell_px), params, {0.5, 0});
+  for (int x = 10; x < 300; x += 10) houses.add({double(x), 55}, x == 10 ? 50 : 0.2);  // one is wrong
+  EXPECT_DOUBLE_EQ(houses.seen().nearest, 0.2);
+  IdepthPrior land(CellGrid(camera, params.cell_px), params, houses.seen());
+  for (int x = 10; x < 300; x += 20) land.add({double(x), 55}, 0.01);
+  EXPECT_DOUBLE_EQ(land.range({200, 200}).high, 0.2);
+  EXPECT_DOUBLE_EQ(land.range({200, 200}).likely, 0.01);
+  EXPECT_DOUBLE_EQ(land.seen().nearest, 0.2);
 }
 
 }  // namespace

@@ -122,6 +122,30 @@ TEST(PointsPassedOn, CarryTheUnitThroughAnAdjustment) {
   EXPECT_GT(unit_after(false), 1.05);
 }
 
+// They are far ones, which stay in view for long; nearer ones must come in, too.
+TEST(PointsPassedOn, KeepNoNewPointsOut) {
+  OwnWindow window = window_after_removal();
+  add_and_match(7, &window);
+  Keyframe& host = window.keyframes()[window.keyframes().size() - 2];  // they were passed on to it
+  const std::vector<MapPoint> all = host.points;
+  int candidates = 0;
+  for (const MapPoint& p : all) {
+    if (!(p.known_sigma > 0) || p.observations.empty()) continue;
+    for (int copy = 0; copy < 3; ++copy) host.points.push_back(p);  // more than a cell may have
+    ImmaturePoint near;
+    near.px = p.px;
+    near.normal = p.normal;
+    near.edge_pixel = p.edge_pixel;
+    near.idepth = p.idepth;
+    near.idepth_sigma = p.idepth_sigma;
+    near.good = 2;
+    host.immature.push_back(near);
+    ++candidates;
+  }
+  ASSERT_GT(candidates, 10);
+  EXPECT_GT(window.activate({2, 1}), candidates / 4);
+}
+
 TEST(PointsPassedOn, CanBeSwitchedOff) {
   WindowParams params = seven_keyframes();
   params.pass_on_points = false;

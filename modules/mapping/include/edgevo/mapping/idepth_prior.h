@@ -18,18 +18,27 @@ inline IdepthRange range_around(double low, double high) {
   return {kLowFactor * low, kHighFactor * high};
 }
 
+/// Depths that a map has seen so far.
+struct SeenIdepths {
+  /// Median inverse depth of the newest image that knew any.
+  double median = 1;
+  /// Largest inverse depth of any image, its 95 % quantile; 0: none yet. A camera that comes back from an
+  /// open view meets what is as near again.
+  double nearest = 0;
+};
+
 /// Depths known in one image, by cell.
 class IdepthPrior {
  public:
-  /// `median_before`: median inverse depth of an earlier image, used while nothing is known in this one.
-  IdepthPrior(const CellGrid& grid, const DepthFilterParams& params, double median_before)
+  /// `before`: depths of earlier images; the median is used while nothing is known in this one.
+  IdepthPrior(const CellGrid& grid, const DepthFilterParams& params, const SeenIdepths& before)
       : use_neighbours_(params.use_neighbour_depths),
         grid_(grid),
         low_(grid_.size(), kNone),
         high_(grid_.size(), 0),
         occupied_(grid_.size(), false),
-        least_(kFarLow * median_before),
-        median_(median_before) {}
+        least_(kFarLow * before.median),
+        seen_(before) {}
 
   /// Adds a point of known depth: `px` inside the image, `idepth` > 0 in its camera. A point beyond the range
   /// of any search occupies its cell, but says nothing of the depths around it: adjustment drives points to
@@ -48,7 +57,8 @@ class IdepthPrior {
   /// The cells.
   const CellGrid& grid() const { return grid_; }
 
-  /// Search range at `px`: around the depths in the 5x5 cells about it, else around the median of the image.
+  /// Search range at `px`: around the depths in the 5x5 cells about it, else around the median of the image,
+  /// and as near as any depth of the map.
   IdepthRange range(const Eigen::Vector2d& px) {
     const int column = grid_.column(px.x()), row = grid_.row(px.y());
     double low = kNone, high = 0;
@@ -58,16 +68,21 @@ class IdepthPrior {
         high = std::max(high, high_[r * grid_.columns() + c]);
       }
     if (high > 0 && use_neighbours_) return range_around(low, high);
-    return {kFarLow * median(), kFarHigh * median(), median()};
+    return {kFarLow * median(), std::max(kFarHigh * median(), seen().nearest), median()};
   }
 
   /// Median inverse depth of the image, or of the earlier one if nothing is known.
-  double median() {
+  double median() { return seen().median; }
+
+  /// Depths of the map up to this image.
+  const SeenIdepths& seen() {
+    constexpr double kNearShare = 0.95;  // a few wrong depths are the nearest
     if (!all_.empty()) {
-      median_ = edgevo::median(std::move(all_));
+      seen_.nearest = std::max(seen_.nearest, quantile(all_, kNearShare));
+      seen_.median = edgevo::median(std::move(all_));
       all_.clear();
     }
-    return median_;
+    return seen_;
   }
 
  private:
@@ -79,7 +94,8 @@ class IdepthPrior {
   CellGrid grid_;
   std::vector<double> low_, high_, all_;
   std::vector<bool> occupied_;
-  double least_, median_;
+  double least_;
+  SeenIdepths seen_;
 };
 
 }  // namespace edgevo

@@ -17,6 +17,7 @@
 #include "edgevo/edge_map/edge_mapper.h"
 #include "edgevo/map/map.h"
 #include "edgevo/mapping/bootstrap.h"
+#include "edgevo/mapping/idepth_prior.h"
 #include "edgevo/mapping/window.h"
 #include "edgevo/odometry/moving_areas.h"
 #include "edgevo/odometry/odometry_params.h"
@@ -227,8 +228,8 @@ class Mapper {
   int next_id_ = 0;
   double unit_ = 1;  // Reference::unit
   TrackingCheck tracking_check_;
-  /// Median inverse depth of the points seen in the newest keyframe.
-  double median_idepth_ = 1;
+  /// Depths seen up to the newest keyframe.
+  SeenIdepths seen_idepths_;
 };
 
 }  // namespace edgevo
