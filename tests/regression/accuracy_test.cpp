@@ -178,7 +178,7 @@ TEST(RenderedAccuracy, AStreetThroughARoundLens) {
 }
 
 // Through a bend of 26 degrees between two frames. Edges alone lose it (two to three segments, ATE 5 % of the
-// path, seeds 1 to 3); corners hold it (mapping/corner_motion.h).
+// path, seeds 1 to 3); corners hold it (features/corner_motion.h).
 TEST(RenderedAccuracy, ABendAtGreatSpeed) {
   const auto renderer = std::make_shared<SceneRenderer>(load_scene("street"));
   SourceOptions some;

@@ -7,12 +7,12 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
-#include "corner_tracking.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
+#include "edgevo/features/corner_tracking.h"
+#include "edgevo/features/two_view_motion.h"
+#include "edgevo/features/view_fit.h"
 #include "straight_rows.h"
-#include "two_view_motion.h"
-#include "view_fit.h"
 
 namespace edgevo {
 namespace {

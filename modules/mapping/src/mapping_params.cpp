@@ -63,16 +63,6 @@ void WindowParams::visit(ParamVisitor& v) {
             "use pairs of corners (group corners) as residuals of the bundle adjustment");
 }
 
-void CornerParams::visit(ParamVisitor& v) {
-  v.number(kAdvanced, "max_inlier_share", max_inlier_share, 0, 1,
-           "inlier share of a keyframe right after another one (large motion) below which corners give a "
-           "motion hypothesis; 0: never");
-  v.integer(kAdvanced, "min_agreeing", min_agreeing, 8, 10000, "corners that must agree on one motion");
-  v.number(kExperimental, "max_sigma_px", max_sigma_px, 0.2, 1000,
-           "standard deviation of a corner along the weaker gradient of its patch above which it counts as "
-           "one on an edge, where any motion along it fits, pixels");
-}
-
 void MappingParams::visit(ParamVisitor& v) {
   {
     const auto g = v.group("bootstrap");

@@ -5,10 +5,10 @@
 // rotation that moves them best, which takes in most of a sideways translation, too.
 #include <vector>
 
-#include "corner_tracking.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/edges/image_motion.h"
+#include "edgevo/features/corner_tracking.h"
 
 namespace edgevo {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "bootstrap_placement.h"
+#include "edgevo/features/view_link.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/mapping/view_link.h"
 #include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "frame_log.h"
@@ -17,7 +17,7 @@
 
 namespace edgevo {
 
-/// What links a new map to the one before (mapping/view_link.h); nothing without a view `before`.
+/// What links a new map to the one before (features/view_link.h); nothing without a view `before`.
 inline std::optional<ViewLink> find_link(const Pinhole& pinhole, const std::optional<SureView>& before,
                                          const Reference& after) {
   if (!before) return std::nullopt;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/mapping/view_link.h"
+#include "edgevo/features/view_link.h"
 
 namespace edgevo {
 namespace {

@@ -26,7 +26,7 @@ struct DoubtEvaluation {
 constexpr double kUnitKnown = 0.03;
 
 /// Compares the map that is sure again, seen in `now`, with what it was `before` the doubt, by features that
-/// the newest view of before shows, too, or else one of the three before it (mapping/view_link.h). A new map
+/// the newest view of before shows, too, or else one of the three before it (features/view_link.h). A new map
 /// was joined to the one before by its first two views: it is compared again, since its depths are better
 /// known, and takes the unit of what is no less certain than the comparison before (`known_to`, of the
 /// logarithm). `scale_of`: world over map of a segment. Cost: some 0.2 s for each view of before.

@@ -45,7 +45,7 @@ bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, cons
                                   task.keyframes.calls_for_keyframe(pose.T_cur_ref, task.reference));
 }
 
-// A hypothesis from corners (mapping/corner_motion.h), searched from the predicted pose, not from the one
+// A hypothesis from corners (features/corner_motion.h), searched from the predicted pose, not from the one
 // that the edges found: rotation and direction from corners, the length from the edges.
 std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* track) {
   const TraceScope traced(name_of(Stage::kCorners));

@@ -9,7 +9,7 @@
 
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/random.h"
-#include "edgevo/mapping/corner_motion.h"
+#include "edgevo/features/corner_motion.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/reference.h"
 #include "keyframe_policy.h"

@@ -4,17 +4,17 @@
 //
 // A bootstrap makes a map whose unit of length is arbitrary, and nothing has been seen in both maps. The
 // camera is assumed to continue at the mean velocity of its last frames up to the first view of the
-// bootstrap, with its last orientation, unless features link the two maps (mapping/view_link.h). The scale
+// bootstrap, with its last orientation, unless features link the two maps (features/view_link.h). The scale
 // follows from the depths in view if the old map was still tracked, else from equal speed: that of the last
 // poses that were sure, since a map that is about to be lost has often lost its unit before. All of this is a
 // guess: FrameRecord::segment marks the join.
 #include <optional>
 #include <vector>
 
+#include "edgevo/features/view_link.h"
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/mapping/view_link.h"
 #include "edgevo/odometry/reference.h"
 
 namespace edgevo {

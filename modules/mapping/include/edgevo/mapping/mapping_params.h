@@ -3,6 +3,7 @@
 #include <string>
 
 #include "edgevo/core/params.h"
+#include "edgevo/features/corner_params.h"
 
 namespace edgevo {
 
@@ -14,7 +15,7 @@ struct BootstrapParams {
   double min_parallax_deg = 0.7;
   /// Frames.
   int max_frames = 90;
-  /// Count lost corners as moved further than the median (median_motion in src/corner_tracking.h).
+  /// Count lost corners as moved further than the median (median_motion in features/corner_tracking.h).
   bool count_lost_corners = true;
 
   /// Names, ranges and texts of the fields (core/params.h).
@@ -78,19 +79,6 @@ struct WindowParams {
   bool pass_on_points = true;
   /// Use pairs of corners (group corners) as residuals of the adjustment.
   bool adjust_corners = true;
-
-  /// Names, ranges and texts of the fields (core/params.h).
-  void visit(ParamVisitor& v);
-};
-
-/// Parameters of motion hypotheses from corners (corner_motion.h).
-struct CornerParams {
-  /// 0 to 1.
-  double max_inlier_share = 0.7;
-  /// Corners.
-  int min_agreeing = 60;
-  /// Pixels.
-  double max_sigma_px = 1;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The focal length from corners that are followed through the images (witness/corner_witness.h). Matches of
+// The focal length from corners that are followed through the images (features/corner_witness.h). Matches of
 // edges are sought where the map predicts them, and the map was made with the camera file: of an error of a
 // fifth they show two fifths. Corners are followed without the map, so that a bundle of their own, poses and
 // depths free, shows most of it once the camera has turned.
@@ -11,7 +11,7 @@
 
 #include "edgevo/core/rectification.h"
 #include "edgevo/core/se3.h"
-#include "edgevo/witness/followed_corner.h"
+#include "edgevo/features/followed_corner.h"
 
 namespace edgevo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "corner_tracking.h"
+#include "edgevo/features/corner_tracking.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 constexpr double kMaxForwardBackwardPx = 0.7;
 // Least quality relative to the strongest corner: low, so that corners cover the image; wrongly moving ones
 // are removed later.
-constexpr double kQuality = 0.005;
+constexpr double kMinQuality = 0.005;
 // Least distance between corners: the image's width divided by kCornersAcross, and never less than
 // kMinDistancePx, to spread them over the image.
 constexpr double kCornersAcross = 120, kMinDistancePx = 5.0;
@@ -66,7 +66,7 @@ cv::Mat equalised(const FramePyramid& pyramid) {
 
 Corners find_corners(const cv::Mat& image, int count) {
   Corners corners;
-  cv::goodFeaturesToTrack(image, corners, count, kQuality,
+  cv::goodFeaturesToTrack(image, corners, count, kMinQuality,
                           std::max(kMinDistancePx, image.cols / kCornersAcross));
   return corners;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which corners are measured in both directions, and how far those of a first view have moved when some of
 // them are lost.
-#include "corner_tracking.h"
+#include "edgevo/features/corner_tracking.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/mapping/view_link.h"
+#include "edgevo/features/view_link.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <opencv2/features2d.hpp>
 
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/features/two_view_motion.h"
 #include "motion_of_essential.h"
 #include "opencv_pose.h"
-#include "two_view_motion.h"
 
 namespace edgevo {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/witness/followed_corner.h"
+#include "edgevo/features/followed_corner.h"
 #include "patch_flow.h"
 
 namespace edgevo {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view_fit.h"
+#include "edgevo/features/view_fit.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr double kMinCornerDepth = 1e-6;
 constexpr double kFarIdepth = 1e-3;
 constexpr double kFollowedSigmaPx = 0.5;  // standard deviation of a corner that was followed
 constexpr double kMostErrorPx = 2;        // an outlier says no more than this
-constexpr int kIterations = 20;
+constexpr int kFitIterations = 20;
 
 Eigen::Vector3d ray_of(const Pinhole& pinhole, const cv::Point2f& px) { return pinhole.ray({px.x, px.y}); }
 
@@ -115,7 +115,7 @@ std::optional<ViewFit> fit_views(const Pinhole& pinhole, const std::vector<Corne
                                  const SE3& T_last_first) {
   BaProblem problem = problem_of(pinhole, views, T_last_first);
   BaOptions options;
-  options.max_iterations = kIterations;
+  options.max_iterations = kFitIterations;
   const BaResult result = make_bundle_adjuster("schur")->solve(&problem, options);
   if (!result.usable) return std::nullopt;
   const SE3 T = problem.poses.back().T_cam_world;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/mapping/corner_motion.h"
+#include "edgevo/features/corner_motion.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "corner_tracking.h"
-#include "two_view_motion.h"
+#include "edgevo/features/corner_tracking.h"
+#include "edgevo/features/two_view_motion.h"
 
 namespace edgevo {
 namespace {

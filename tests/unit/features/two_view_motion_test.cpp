@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "two_view_motion.h"
+#include "edgevo/features/two_view_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/mapping/view_link.h"
+#include "edgevo/features/view_link.h"
 
 #include <gtest/gtest.h>
 

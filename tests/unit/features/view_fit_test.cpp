@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "view_fit.h"
+#include "edgevo/features/view_fit.h"
 
 #include <gtest/gtest.h>
 
-#include "two_view_motion.h"
+#include "edgevo/features/two_view_motion.h"
 
 namespace edgevo {
 namespace {

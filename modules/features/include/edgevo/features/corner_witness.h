@@ -13,7 +13,7 @@
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/witness/followed_corner.h"
+#include "edgevo/features/followed_corner.h"
 
 namespace edgevo {
 

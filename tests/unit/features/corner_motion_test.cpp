@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The motion hypothesis from corners: how exact it is, and when there is none.
-#include "edgevo/mapping/corner_motion.h"
+#include "edgevo/features/corner_motion.h"
 
 #include <gtest/gtest.h>
 

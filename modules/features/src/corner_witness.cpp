@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/witness/corner_witness.h"
+#include "edgevo/features/corner_witness.h"
 
 #include "corner_evaluation.h"
 #include "corner_tracks.h"

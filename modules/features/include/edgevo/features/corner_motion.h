@@ -14,8 +14,8 @@
 #include "edgevo/core/random.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/features/corner_params.h"
 #include "edgevo/map/keyframe.h"
-#include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
 

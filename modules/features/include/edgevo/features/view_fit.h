@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "corner_tracking.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/features/corner_tracking.h"
 
 namespace edgevo {
 
