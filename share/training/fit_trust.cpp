@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (odometry/trust.h) to runs with
+// edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (confidence/trust.h) to runs with
 // ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights and the calibration, for
-// modules/odometry/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
+// modules/confidence/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
 #include <algorithm>
 #include <cstdio>
 #include <map>

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 namespace edgevo::training {
 

@@ -7,7 +7,7 @@
 #include "csv_table.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace edgevo::training {
 namespace {

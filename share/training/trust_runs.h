@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "edgevo/evaluation/frame_judge.h"
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 namespace edgevo::training {
 

@@ -33,7 +33,7 @@ const char* name_of(Doubt doubt) { return kDescriptions[size_t(doubt)].name; }
 std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t cameras) {
   std::string text =
       "// SPDX-License-Identifier: BSD-3-Clause\n#pragma once\n"
-      "// Written by `edgevo_fit_trust RUNS.txt modules/odometry/src/trust_table.h REPORT.md`\n"
+      "// Written by `edgevo_fit_trust RUNS.txt modules/confidence/src/trust_table.h REPORT.md`\n"
       "// (share/training/README.md) from " +
       std::to_string(runs) + " runs of " + std::to_string(cameras) +
       " cameras: not to be edited.\n"

@@ -4,7 +4,7 @@
 
 #include "bench/bench_scene.h"
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace {
 

@@ -6,8 +6,8 @@
 #include "bench/bench_scene.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/association/associate.h"
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/mapping/depth_filter.h"
-#include "edgevo/odometry/frame_status.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace {

@@ -59,7 +59,7 @@ Pinhole wider_and_smaller(const Pinhole& p) {
           int(std::lround(kSize * p.height))};
 }
 
-// The covariance holds on each scene (alignment/pose_covariance.h, odometry/tracking_check.h).
+// The covariance holds on each scene (alignment/pose_covariance.h, confidence/tracking_check.h).
 // The desk is the worst, whose first map is poor: too wide, 0.63, 37 % of the frames inside and nearly all
 // others below; the others 0.66 to 0.77, 86 to 89 % (share/lab/archive/2026-11-27_what_edges_share.md).
 void expect_consistent(const Consistency& c) {

@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "collect_evidence.h"
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/collect_evidence.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace edgevo {
 namespace {

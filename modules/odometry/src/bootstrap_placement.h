@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/reference.h"
 #include "frame_log.h"
 
 namespace edgevo {

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "bootstrap_placement.h"
+#include "edgevo/confidence/health_watch.h"
 #include "edgevo/features/view_link.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "frame_log.h"
 #include "front_end.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/confidence/health_watch.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
-#include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/mapper.h"
 
 namespace edgevo {

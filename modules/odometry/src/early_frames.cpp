@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "bootstrap_placement.h"
-#include "collect_evidence.h"
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/confidence/collect_evidence.h"
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/frame_status.h"
 
 namespace edgevo {
 namespace {

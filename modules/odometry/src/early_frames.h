@@ -5,9 +5,9 @@
 #include <deque>
 #include <memory>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/reference.h"
 #include "frame_log.h"
 #include "front_end.h"
 

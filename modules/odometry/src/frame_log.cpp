@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 namespace edgevo {
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/map/run_builder.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 
@@ -32,7 +32,7 @@ class FrameLog {
   void announce();
 
   /// Anchors an earlier frame, or the newest one, with a record that replaces the present one; announces an
-  /// earlier one. After a giant step (odometry/trust.h) it is not TRACKING.
+  /// earlier one. After a giant step (confidence/trust.h) it is not TRACKING.
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);

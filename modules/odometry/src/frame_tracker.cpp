@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/frame_status.h"
 #include "median_motion.h"
 #include "stage_timer.h"
 

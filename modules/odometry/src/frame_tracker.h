@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/random.h"
 #include "edgevo/features/corner_motion.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/reference.h"
 #include "keyframe_policy.h"
 #include "motion_model.h"
 #include "rolling_shutter.h"

@@ -3,11 +3,11 @@
 
 #include <utility>
 
-#include "collect_evidence.h"
+#include "edgevo/confidence/collect_evidence.h"
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/frame_status.h"
 #include "see_points.h"
 #include "stage_timer.h"
 

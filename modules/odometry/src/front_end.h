@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "corner_search.h"
+#include "edgevo/confidence/smooth_error_mean.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edges/frame_pyramid.h"
@@ -21,7 +22,6 @@
 #include "motion_model.h"
 #include "moving_bodies.h"
 #include "rolling_shutter.h"
-#include "smooth_error_mean.h"
 #include "standstill.h"
 
 namespace edgevo {

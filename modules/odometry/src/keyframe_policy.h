@@ -5,10 +5,10 @@
 // A keyframe is needed before the map leaves the view or before its depths are too poor for the distance
 // travelled since, and not sooner: each costs an adjustment. The criteria form a list (keyframe_policy.cpp);
 // the first that calls for a keyframe is the reason in frames.csv.
+#include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/keyframe_reason.h"
 #include "edgevo/odometry/keyframe_params.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 

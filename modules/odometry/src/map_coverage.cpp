@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace edgevo {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "edgevo/confidence/health_watch.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/health_watch.h"
 #include "edgevo/odometry/mapper.h"
 #include "rebuilt_images.h"
 #include "stage_timer.h"

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
-#include "edgevo/odometry/recent_values.h"
 #include "frame_clock.h"
 #include "median_motion.h"
 

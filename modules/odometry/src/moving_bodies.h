@@ -12,8 +12,8 @@
 
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/alignment/group_motion.h"
+#include "edgevo/alignment/reference.h"
 #include "edgevo/odometry/moving_areas.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "camera_log.h"
-#include "collect_evidence.h"
+#include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"

@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "edgevo/confidence/health_watch.h"
 #include "edgevo/core/frame_evidence.h"
-#include "edgevo/odometry/health_watch.h"
 
 namespace edgevo {
 

@@ -11,11 +11,11 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/features/view_link.h"
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "edgevo/alignment/alignment_params.h"
-#include "edgevo/odometry/reference.h"
+#include "edgevo/alignment/reference.h"
 
 namespace edgevo {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_machine.h"
 
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace edgevo {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/study/study_pair.h"
 
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/thread_clock.h"
-#include "edgevo/odometry/frame_status.h"
 
 namespace edgevo {
 

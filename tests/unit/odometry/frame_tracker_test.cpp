@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "collect_evidence.h"
 #include "corner_search.h"
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/collect_evidence.h"
+#include "edgevo/confidence/frame_status.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 #include "motion_model.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"

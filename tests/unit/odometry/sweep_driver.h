@@ -6,7 +6,7 @@
 #include <string>
 
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/odometry/mapper.h"
 #include "support/sweep_scene.h"
 

@@ -26,7 +26,7 @@ struct AlignmentParams {
   /// Names, ranges and texts of the fields of the costs (core/params.h).
   void visit_costs(ParamVisitor& v);
   /// Names, ranges and texts of the fields of the heuristics. In the group `alignment` the thresholds of the
-  /// status (odometry/status_params.h) lie between the two.
+  /// status (confidence/status_params.h) lie between the two.
   void visit_heuristics(ParamVisitor& v);
 };
 

@@ -63,7 +63,7 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud,
                     const PoseHypothesis& hypothesis, const AlignmentParams& params);
 
 /// Rates poses by their measurements. Alignment only measures; the caller decides what is good enough
-/// (odometry/frame_status.h).
+/// (confidence/frame_status.h).
 class PoseScorer {
  public:
   virtual ~PoseScorer() = default;

@@ -42,7 +42,7 @@ struct PoseEquation {
 };
 
 /// Ratio of the variance including the error of the reference to that of the alignment alone: 1.41 to 1.69
-/// measured on four rendered scenes. odometry/tracking_check.h detects at run time where a map is worse.
+/// measured on four rendered scenes. confidence/tracking_check.h detects at run time where a map is worse.
 constexpr double kReferenceShare = 1.5;
 
 /// Sandwich covariance of a pose, times kReferenceShare. Without equations the result is 1e9 times

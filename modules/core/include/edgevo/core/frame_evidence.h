@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Measurements that show whether the pose of a frame can be trusted: collected while the frame is processed
-// and written to frames.csv. They contain no decision; odometry/frame_status.h derives the status from them.
-// NaN: unknown.
+// and written to frames.csv. They contain no decision; confidence/frame_status.h derives the status from
+// them. NaN: unknown.
 #include <array>
 #include <limits>
 #include <optional>

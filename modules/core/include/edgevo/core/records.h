@@ -43,7 +43,7 @@ struct FrameRecord {
   int reference_keyframe = -1;
   /// Measurements that the tracking state rests on.
   FrameEvidence evidence;
-  /// Probability, 0 to 1, that the motion of the camera around this frame is right (odometry/trust.h); NaN:
+  /// Probability, 0 to 1, that the motion of the camera around this frame is right (confidence/trust.h); NaN:
   /// not known, as while there is no map.
   double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Name and CPU time, milliseconds, of each stage that ran.
@@ -54,7 +54,7 @@ struct FrameRecord {
   std::optional<SE3> T_world_cam_live;
   /// Covariance of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the
   /// unit of the run; relative to the keyframe that the frame was tracked against
-  /// (alignment/pose_covariance.h, with the factor of odometry/tracking_check.h). Zero: unknown.
+  /// (alignment/pose_covariance.h, with the factor of confidence/tracking_check.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
   /// Reason why a bootstrap is not ready or tracking was lost; else empty.
   std::string note;
@@ -118,7 +118,7 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
   /// Lines that the keyframe hosts; empty with `--edge-map off`, and of a doubtful keyframe.
   std::vector<EdgeLine> lines;
-  /// Whether the keyframe was made in doubt and never confirmed (odometry/health_watch.h): its pose and
+  /// Whether the keyframe was made in doubt and never confirmed (confidence/health_watch.h): its pose and
   /// points are not to be trusted.
   bool is_doubtful = false;
 };

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "edgevo/alignment/reference.h"
+#include "edgevo/confidence/tracking_check.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edge_map/edge_mapper.h"
@@ -21,9 +23,7 @@
 #include "edgevo/mapping/window.h"
 #include "edgevo/odometry/moving_areas.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/reference.h"
 #include "edgevo/odometry/shedding.h"
-#include "edgevo/odometry/tracking_check.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {

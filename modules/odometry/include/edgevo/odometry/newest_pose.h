@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 
@@ -25,7 +25,7 @@ struct NewestPose {
   TrackingState state = TrackingState::kBootstrapping;
   /// Why the state is not TRACKING; empty if it is.
   std::string note;
-  /// Probability that the motion around the frame is right (odometry/trust.h); below kDoubtfulBelow
+  /// Probability that the motion around the frame is right (confidence/trust.h); below kDoubtfulBelow
   /// (core/doubtful_intervals.h) the pose is not to be trusted. NaN: unknown.
   double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Segment of the map; poses of two segments have no reliable common frame. -1: none.

@@ -2,11 +2,11 @@
 #pragma once
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/association/association_params.h"
+#include "edgevo/confidence/status_params.h"
 #include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/mapping/mapping_params.h"
 #include "edgevo/odometry/keyframe_params.h"
-#include "edgevo/odometry/status_params.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {

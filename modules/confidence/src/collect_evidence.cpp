@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "collect_evidence.h"
+#include "edgevo/confidence/collect_evidence.h"
 
 #include <algorithm>
 #include <limits>

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "edgevo/alignment/pose_choice.h"
+#include "edgevo/confidence/status_params.h"
+#include "edgevo/confidence/trust.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/tracking_state.h"
-#include "edgevo/odometry/status_params.h"
-#include "edgevo/odometry/trust.h"
 
 namespace edgevo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 #include <algorithm>
 #include <cmath>

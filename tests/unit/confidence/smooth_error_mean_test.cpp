@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The error that neighbouring edges share, over frames and in the covariance that is reported.
-#include "smooth_error_mean.h"
+#include "edgevo/confidence/smooth_error_mean.h"
 
 #include <gtest/gtest.h>
 
-#include "collect_evidence.h"
 #include "edgevo/alignment/pose_covariance.h"
+#include "edgevo/confidence/collect_evidence.h"
 
 namespace edgevo {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The probability of a right motion: never higher for more doubt, not high without a witness, and on made
 // runs high while all is well, low soon after the unit of the map has changed.
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
+#include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/doubtful_intervals.h"
-#include "edgevo/odometry/frame_status.h"
 #include "trust_table.h"
 
 namespace edgevo {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Copies what the steps of a frame measured into its evidence (core/frame_evidence.h).
+#include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/odometry/reference.h"
 
 namespace edgevo {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Written by `edgevo_fit_trust RUNS.txt modules/odometry/src/trust_table.h REPORT.md`
+// Written by `edgevo_fit_trust RUNS.txt modules/confidence/src/trust_table.h REPORT.md`
 // (share/training/README.md) from 54 runs of 8 cameras: not to be edited.
 #include <array>
 
-#include "edgevo/odometry/trust.h"
+#include "edgevo/confidence/trust.h"
 
 namespace edgevo::trust_table {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/odometry/reference.h"
+#include "edgevo/alignment/reference.h"
 
 namespace edgevo {
 

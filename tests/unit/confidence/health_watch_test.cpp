@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/health_watch.h"
+#include "edgevo/confidence/health_watch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What adjusted keyframes show about the covariance of tracking.
-#include "edgevo/odometry/tracking_check.h"
+#include "edgevo/confidence/tracking_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <limits>
 
-#include "collect_evidence.h"
+#include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/doubtful_intervals.h"
 
 namespace edgevo {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One function for each witness of a wrong motion (odometry/trust.h): from a measurement to a doubt, 0 to 3,
-// that grows with the suspicion. A measurement that is unknown (NaN) is no suspicion by itself; that nothing
-// could be checked is a doubt of its own, doubt_without_witness().
+// One function for each witness of a wrong motion (confidence/trust.h): from a measurement to a doubt, 0 to
+// 3, that grows with the suspicion. A measurement that is unknown (NaN) is no suspicion by itself; that
+// nothing could be checked is a doubt of its own, doubt_without_witness().
 #include <optional>
 
 #include "edgevo/core/frame_evidence.h"

@@ -15,9 +15,9 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/se3.h"
-#include "edgevo/odometry/recent_values.h"
 
 namespace edgevo {
 

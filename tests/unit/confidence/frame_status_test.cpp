@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/frame_status.h"
+#include "edgevo/confidence/frame_status.h"
 
 #include <gmock/gmock.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <regex>
 
-#include "collect_evidence.h"
+#include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/input_file.h"
 #include "support/twist.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/tracking_check.h"
+#include "edgevo/confidence/tracking_check.h"
 
 #include <algorithm>
 #include <cmath>
