@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edge_match.h"
 #include "edge_sums.h"
+#include "edgevo/alignment/edge_match.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
 

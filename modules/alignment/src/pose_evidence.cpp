@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/alignment/pose_evidence.h"
 
-#include "edge_match.h"
+#include "edgevo/alignment/edge_match.h"
 #include "edgevo/core/robust.h"
 
 namespace edgevo {

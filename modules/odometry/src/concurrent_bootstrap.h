@@ -15,9 +15,9 @@
 #include "bootstrapper.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/segmentation/own_parts.h"
 #include "late_frames.h"
 #include "map_link.h"
-#include "own_parts.h"
 
 namespace edgevo {
 

@@ -16,13 +16,13 @@
 #include "edgevo/odometry/mapper.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/segmentation/moving_bodies.h"
+#include "edgevo/segmentation/standstill.h"
 #include "frame_tracker.h"
 #include "keyframe_policy.h"
 #include "map_coverage.h"
 #include "motion_model.h"
-#include "moving_bodies.h"
 #include "rolling_shutter.h"
-#include "standstill.h"
 
 namespace edgevo {
 

@@ -15,13 +15,13 @@
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/features/corner_witness.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/segmentation/own_parts.h"
 #include "edgevo/self_calibration/focal_by_corners.h"
 #include "frame_log.h"
 #include "frame_order.h"
 #include "front_end.h"
 #include "map_link.h"
 #include "open_unit.h"
-#include "own_parts.h"
 #include "state_machine.h"
 
 namespace edgevo {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edge_match.h"
 #include "edgevo/alignment/edge_alignment.h"
+#include "edgevo/alignment/edge_match.h"
 #include "edgevo/core/random.h"
 
 namespace edgevo {

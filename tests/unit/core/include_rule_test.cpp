@@ -15,14 +15,40 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::vector<std::string> kOrder{
-    "core",      "files",       "opencv_bridge", "symphony_lake",    "edges",
-    "detectors", "alignment",   "confidence",    "association",      "bundle_adjustment",
-    "map",       "features",    "edge_map",      "self_calibration", "mapping",
-    "odometry",  "scale",       "occupancy",     "mrpt_bridge",      "visp_bridge",
-    "datasets",  "calibration", "simulation",    "evaluation",       "facade",
-    "study",     "run_loop",    "report",        "results",          "benchmark",
-    "servo",     "viewer",      "mrpt_plugin"};
+const std::vector<std::string> kOrder{"core",
+                                      "files",
+                                      "opencv_bridge",
+                                      "symphony_lake",
+                                      "edges",
+                                      "detectors",
+                                      "alignment",
+                                      "segmentation",
+                                      "confidence",
+                                      "association",
+                                      "bundle_adjustment",
+                                      "map",
+                                      "features",
+                                      "edge_map",
+                                      "self_calibration",
+                                      "mapping",
+                                      "odometry",
+                                      "scale",
+                                      "occupancy",
+                                      "mrpt_bridge",
+                                      "visp_bridge",
+                                      "datasets",
+                                      "calibration",
+                                      "simulation",
+                                      "evaluation",
+                                      "facade",
+                                      "study",
+                                      "run_loop",
+                                      "report",
+                                      "results",
+                                      "benchmark",
+                                      "servo",
+                                      "viewer",
+                                      "mrpt_plugin"};
 
 std::vector<std::string> broken(const std::string& path, const std::string& text) {
   return broken_include_rules({path, text}, kOrder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "standstill.h"
+#include "edgevo/segmentation/standstill.h"
 
 #include <gtest/gtest.h>
 

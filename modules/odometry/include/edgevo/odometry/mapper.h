@@ -21,9 +21,9 @@
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/idepth_prior.h"
 #include "edgevo/mapping/window.h"
-#include "edgevo/odometry/moving_areas.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/odometry/shedding.h"
+#include "edgevo/segmentation/moving_areas.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
 namespace edgevo {

@@ -2,7 +2,7 @@
 #pragma once
 // Follows what moves by itself through the images: a vehicle ahead, a bus that crosses. It is found where a
 // group of points of the map contradicts the pose and agrees on a motion of its own
-// (alignment/moving_group.h); from then on the body is followed by its edges, without map and depths, and
+// (segmentation/moving_group.h); from then on the body is followed by its edges, without map and depths, and
 // what is on it takes no part in poses and map. So points that were made on it while it moved like the
 // scene do no harm when it no longer does.
 #include <memory>
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "edgevo/alignment/alignment_params.h"
-#include "edgevo/alignment/group_motion.h"
 #include "edgevo/alignment/reference.h"
-#include "edgevo/odometry/moving_areas.h"
+#include "edgevo/segmentation/group_motion.h"
+#include "edgevo/segmentation/moving_areas.h"
 
 namespace edgevo {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "moving_bodies.h"
+#include "edgevo/segmentation/moving_bodies.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "edgevo/alignment/moving_group.h"
 #include "edgevo/alignment/projection.h"
+#include "edgevo/segmentation/moving_group.h"
 
 namespace edgevo {
 namespace {
@@ -17,10 +17,10 @@ constexpr int kMostAge = 60;             // frames
 constexpr double kLeastArea = 0.003;     // of the image: less does no harm
 constexpr double kLeastNewArea = 0.015;  // of the image, when it is found
 constexpr double kMostArea = 0.6;        // of the image: more is no body in a scene
-constexpr size_t kMostPixels = 150;      // of a body, to follow it
+constexpr size_t kMaxBodyPixels = 150;   // of a body, to follow it
 constexpr size_t kFewFollowed = 40;      // that have moved as it did
 constexpr double kTrimmed = 0.02;        // of a body's edges on each side: neighbours of the scene
-constexpr int kFewPoints = 60;           // that constrain a pose
+constexpr int kMinPosePoints = 60;       // that constrain a pose
 constexpr int kProbation = 4;            // frames
 constexpr int kRest = 3;                 // frames without a search, after a body that was none
 // Of a body from where a scene that stands still could be: poses and similarities are good to a pixel.
@@ -29,8 +29,8 @@ constexpr double kProofPx = 3;
 constexpr int kStrips = 32;
 constexpr size_t kFewInStrip = 12;
 constexpr double kStripShare = 0.65, kForeignShare = 0.3;
-constexpr double kImpossiblePx = 2;  // of a strip in one step from where the scene could be
-constexpr double kSceneMovesPx = 6;  // while a body keeps its place in the image
+constexpr double kImpossibleStripPx = 2;  // of a strip in one step from where the scene could be
+constexpr double kSceneMovesBodyPx = 6;   // while a body keeps its place in the image
 
 double area(const ImageBox& b) { return (b.right - b.left) * (b.bottom - b.top); }
 
@@ -59,14 +59,6 @@ std::vector<OrientedPixel> all_edges_in(const ImageEdges& edges, const ImageBox&
     if (const Eigen::Vector2d px = e.position().cast<double>(); box.contains(px))
       all.push_back({px, e.normal()});
   return all;
-}
-
-// As many as a body is followed by.
-std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& all) {
-  std::vector<OrientedPixel> some;
-  if (all.size() <= kMostPixels) return all;
-  for (size_t i = 0; i < kMostPixels; ++i) some.push_back(all[i * all.size() / kMostPixels]);
-  return some;
 }
 
 ImageBox wider(const ImageBox& b, double px) {
@@ -149,7 +141,7 @@ void MovingBodies::grow(const Pinhole& pinhole, const SE3& T_cur_last, double me
     const StaticComparison c =
         compare_with_static(pinhole, T_cur_last, median_idepth, strip.before, body->step);
     const ImageBox grown = joined(body->area, strip.box);
-    if (c.distance_px >= kImpossiblePx && is_worth_following(grown, pinhole, 0)) body->area = grown;
+    if (c.distance_px >= kImpossibleStripPx && is_worth_following(grown, pinhole, 0)) body->area = grown;
   }
   body->strips.clear();
 }
@@ -159,7 +151,8 @@ void MovingBodies::grow(const Pinhole& pinhole, const SE3& T_cur_last, double me
 std::vector<OrientedPixel> MovingBodies::followed_edges(const FramePyramid& frame, const Body& body) {
   const std::vector<OrientedPixel> before = strip(body.box, body).before;
   const std::vector<OrientedPixel> moved = moved_edges(frame.finest(), before, body.step);
-  return thinned(moved.size() >= kFewFollowed ? moved : all_edges_in(frame.finest().edges, body.box));
+  return thinned(moved.size() >= kFewFollowed ? moved : all_edges_in(frame.finest().edges, body.box),
+                 kMaxBodyPixels);
 }
 
 bool MovingBodies::follow(const FramePyramid& frame, Body* body) {
@@ -200,7 +193,7 @@ bool MovingBodies::look(const FramePyramid& frame, const Reference& reference, c
   body.box = box_of(group);
   if (!is_worth_following(body.box, frame.finest().pinhole, kLeastNewArea)) return false;
   body.area = body.box;
-  body.pixels = thinned(all_edges_in(frame.finest().edges, body.box));
+  body.pixels = thinned(all_edges_in(frame.finest().edges, body.box), kMaxBodyPixels);
   body.first_pixels = body.pixels;
   body.motion.centre = {0.5 * (body.box.left + body.box.right), 0.5 * (body.box.top + body.box.bottom)};
   for (int i : group.points) {
@@ -214,7 +207,7 @@ bool MovingBodies::look(const FramePyramid& frame, const Reference& reference, c
 bool MovingBodies::is_proved(const Pinhole& pinhole, double median_idepth, const Body& body) {
   const StaticComparison c =
       compare_with_static(pinhole, body.T_cur_first, median_idepth, body.first_pixels, body.motion);
-  return c.distance_px > kProofPx || (c.is_fixed && c.parallax_px > kSceneMovesPx);
+  return c.distance_px > kProofPx || (c.is_fixed && c.parallax_px > kSceneMovesBodyPx);
 }
 
 int MovingBodies::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth) {
@@ -263,7 +256,7 @@ std::shared_ptr<const Reference> MovingBodies::without(std::shared_ptr<const Ref
     kept.push_back(i);
     known += c.host_keyframe >= 0;
   }
-  if (kept.size() == all.points.size() || known < kFewPoints) return reference;
+  if (kept.size() == all.points.size() || known < kMinPosePoints) return reference;
   const auto thinned = std::make_shared<Reference>(*reference);
   thinned->cloud = part_of(all, kept);
   thinned->known_points = known;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "own_parts.h"
+#include "edgevo/segmentation/own_parts.h"
 
 #include <cmath>
 #include <cstdio>

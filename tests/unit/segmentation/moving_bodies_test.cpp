@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "moving_bodies.h"
+#include "edgevo/segmentation/moving_bodies.h"
 
 #include <gtest/gtest.h>
 

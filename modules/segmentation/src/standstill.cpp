@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "standstill.h"
+#include "edgevo/segmentation/standstill.h"
 
 #include <cmath>
 #include <vector>
@@ -10,9 +10,9 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kFewPoints = 30;   // of known depth, that stand still
-constexpr double kMovedPx = 1;      // across the edge: still edges have moved less (StillCells)
-constexpr double kExplained = 0.6;  // share of what stands still, by a camera that stands
+constexpr size_t kMinStillPoints = 30;  // of known depth, that stand still
+constexpr double kMovedPx = 1;          // across the edge: still edges have moved less (StillCells)
+constexpr double kExplained = 0.6;      // share of what stands still, by a camera that stands
 
 // Points of known depth in the part that stands still, as a camera at T_cur_ref sees them.
 std::vector<size_t> points_in(const FramePyramid& frame, const ReferenceCloud& cloud, const SE3& T_cur_ref) {
@@ -52,7 +52,7 @@ std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& fram
                                                         const AlignmentParams& params) const {
   if (frame.still.empty() || !T_standing_ref_ || !was_seen_to_stand_) return nullptr;
   const std::vector<size_t> inside = points_in(frame, reference->cloud, *T_standing_ref_);
-  if (inside.size() < kFewPoints) return nullptr;
+  if (inside.size() < kMinStillPoints) return nullptr;
   auto still = std::make_shared<Reference>(*reference);
   still->cloud = part_of(reference->cloud, inside);
   still->known_points = int(inside.size());
@@ -69,7 +69,7 @@ bool Standstill::stands(const FramePyramid& frame, const ReferenceCloud& cloud, 
                         const Eigen::Vector3d& usual_step) const {
   if (frame.still.empty() || !T_standing_ref_) return false;
   const std::vector<size_t> inside = points_in(frame, cloud, *T_standing_ref_);
-  if (inside.size() < kFewPoints) return false;
+  if (inside.size() < kMinStillPoints) return false;
   const Pinhole& camera = frame.finest().pinhole;
   const std::vector<CloudPoint> points = part_of(cloud, inside).points;
   const SE3 T_usual(Eigen::Quaterniond::Identity(), usual_step);

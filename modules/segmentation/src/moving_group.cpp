@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/alignment/moving_group.h"
+#include "edgevo/segmentation/moving_group.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edge_match.h"
+#include "edgevo/alignment/edge_match.h"
 #include "edgevo/core/order_statistics.h"
 
 namespace edgevo {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "edgevo/alignment/alignment_params.h"
-#include "edgevo/alignment/group_motion.h"
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/segmentation/group_motion.h"
 
 namespace edgevo {
 

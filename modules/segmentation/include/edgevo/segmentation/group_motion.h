@@ -37,6 +37,9 @@ struct OrientedPixel {
   Eigen::Vector2f normal;
 };
 
+/// Every so many-th of the pixels, `most` of them; all, if there are fewer.
+std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& pixels, size_t most);
+
 /// The motion of a group, and how many of its pixels lie on an edge of their direction then.
 struct GroupMotion {
   /// From the earlier image to this one.

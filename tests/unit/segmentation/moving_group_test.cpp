@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/alignment/moving_group.h"
+#include "edgevo/segmentation/moving_group.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using test::BodyPlace;
 using test::twist;
 
-const BodyPlace kBody{120, 80, 70};
+const BodyPlace kGroupPlace{120, 80, 70};
 
 BodyPlace scaled(const BodyPlace& body, double by) {
   return {body.left + 0.5 * (1 - by) * body.width, body.top + 0.5 * (1 - by) * body.width, by * body.width};
@@ -30,25 +30,26 @@ std::vector<OrientedPixel> pixels_of(const FramePyramid& pyramid, const BodyPlac
 class GroupsThatMove : public ::testing::Test {
  protected:
   GroupMotion follow(const BodyPlace& to) const {
-    const auto before = views.pyramid(SE3(), kBody), now = views.pyramid(SE3(), to);
-    const Eigen::Vector2d centre(kBody.left + 0.5 * kBody.width, kBody.top + 0.5 * kBody.width);
-    return align_group(*now, pixels_of(*before, kBody), {{centre, Eigen::Vector2d::Zero(), 1.0}});
+    const auto before = views.pyramid(SE3(), kGroupPlace), now = views.pyramid(SE3(), to);
+    const Eigen::Vector2d centre(kGroupPlace.left + 0.5 * kGroupPlace.width,
+                                 kGroupPlace.top + 0.5 * kGroupPlace.width);
+    return align_group(*now, pixels_of(*before, kGroupPlace), {{centre, Eigen::Vector2d::Zero(), 1.0}});
   }
   MovingGroup find(const BodyPlace& to, const SE3& T_cur_ref = SE3()) const {
-    return find_moving_group(*views.pyramid(T_cur_ref.inverse(), to), views.cloud(SE3(), kBody), T_cur_ref,
-                             AlignmentParams());
+    return find_moving_group(*views.pyramid(T_cur_ref.inverse(), to), views.cloud(SE3(), kGroupPlace),
+                             T_cur_ref, AlignmentParams());
   }
   test::SceneWithBody views;
 };
 
 TEST_F(GroupsThatMove, ShiftAndChangeOfSizeOfAGroupAreFound) {
-  const GroupMotion shifted = follow({kBody.left + 3, kBody.top - 2, kBody.width});
+  const GroupMotion shifted = follow({kGroupPlace.left + 3, kGroupPlace.top - 2, kGroupPlace.width});
   EXPECT_NEAR(shifted.motion.shift.x(), 3, 0.2);
   EXPECT_NEAR(shifted.motion.shift.y(), -2, 0.2);
   EXPECT_NEAR(shifted.motion.scale, 1, 0.01);
   EXPECT_GT(shifted.share, 0.8);
   EXPECT_LT(shifted.chance, 0.4);
-  const GroupMotion grown = follow(scaled(kBody, 1.08));
+  const GroupMotion grown = follow(scaled(kGroupPlace, 1.08));
   EXPECT_NEAR(grown.motion.scale, 1.08, 0.01);
   EXPECT_LT(grown.motion.shift.norm(), 0.5);
 }
@@ -61,13 +62,13 @@ TEST_F(GroupsThatMove, OneMotionAfterAnother) {
 }
 
 TEST_F(GroupsThatMove, AGroupThatMovesByItselfIsFoundWithAllItsPoints) {
-  const MovingGroup group = find({kBody.left + 6, kBody.top, kBody.width});
+  const MovingGroup group = find({kGroupPlace.left + 6, kGroupPlace.top, kGroupPlace.width});
   ASSERT_FALSE(group.points.empty());
-  const ReferenceCloud cloud = views.cloud(SE3(), kBody);
+  const ReferenceCloud cloud = views.cloud(SE3(), kGroupPlace);
   int on_body = 0, all = 0;
   const auto is_on_body = [](const Eigen::Vector2f& px) {
-    return px.x() > kBody.left && px.x() < kBody.left + kBody.width && px.y() > kBody.top &&
-           px.y() < kBody.top + kBody.width;
+    return px.x() > kGroupPlace.left && px.x() < kGroupPlace.left + kGroupPlace.width &&
+           px.y() > kGroupPlace.top && px.y() < kGroupPlace.top + kGroupPlace.width;
   };
   for (const CloudPoint& p : cloud.points) all += is_on_body(p.px);
   for (int i : group.points) on_body += is_on_body(cloud.points[size_t(i)].px);
@@ -75,7 +76,7 @@ TEST_F(GroupsThatMove, AGroupThatMovesByItselfIsFoundWithAllItsPoints) {
   EXPECT_NEAR(group.motion.motion.shift.x(), 6, 0.5);
 }
 
-TEST_F(GroupsThatMove, NothingIsFoundWhereNothingMoves) { EXPECT_TRUE(find(kBody).points.empty()); }
+TEST_F(GroupsThatMove, NothingIsFoundWhereNothingMoves) { EXPECT_TRUE(find(kGroupPlace).points.empty()); }
 
 // A vehicle ahead, or a depth that the map has wrong: each moves as something that stands still can move.
 TEST_F(GroupsThatMove, AGroupAtAnotherDepthIsFoundWhereDepthsShow) {
@@ -83,7 +84,7 @@ TEST_F(GroupsThatMove, AGroupAtAnotherDepthIsFoundWhereDepthsShow) {
   const auto find_at = [&](double step, double times_as_far) {
     const SE3 T_cur_ref = SE3::exp(twist(step, 0, 0, 0, 0, 0));
     const double by_map = fx * step * views.scene.idepth(SE3(), {155, 115});
-    return find({kBody.left + times_as_far * by_map, kBody.top, kBody.width}, T_cur_ref);
+    return find({kGroupPlace.left + times_as_far * by_map, kGroupPlace.top, kGroupPlace.width}, T_cur_ref);
   };
   EXPECT_FALSE(find_at(0.15, 1.5).points.empty());
   EXPECT_TRUE(find_at(0.15, 1).points.empty()) << "where the map has it";
@@ -93,7 +94,7 @@ TEST_F(GroupsThatMove, AGroupAtAnotherDepthIsFoundWhereDepthsShow) {
 }
 
 TEST_F(GroupsThatMove, WhatStandsStillIsComparedOverAllDepths) {
-  const auto pixels = pixels_of(*views.pyramid(SE3(), kBody), kBody);
+  const auto pixels = pixels_of(*views.pyramid(SE3(), kGroupPlace), kGroupPlace);
   const Pinhole camera = views.scene.camera.pinhole();
   const SE3 ahead = SE3::exp(twist(0, 0, -0.2, 0, 0, 0));  // the camera moves forwards
   const Eigen::Vector2d focus(camera.cx, camera.cy);

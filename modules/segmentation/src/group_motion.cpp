@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/alignment/group_motion.h"
+#include "edgevo/segmentation/group_motion.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "edge_match.h"
+#include "edgevo/alignment/edge_match.h"
 #include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
 
-constexpr int kIterations = 8;      // on each level
-constexpr double kAgreePx = 1.0;    // along the normal: as for an inlier of a pose
-constexpr double kDisplacedPx = 9;  // of the copies that show what texture gives
-constexpr int kMostPixels = 120;    // of a group: enough for three numbers
-constexpr double kSlidPx = 4;       // along the edge, of a match that counts
+constexpr int kIterations = 8;           // on each level
+constexpr double kAgreePx = 1.0;         // along the normal: as for an inlier of a pose
+constexpr double kDisplacedPx = 9;       // of the copies that show what texture gives
+constexpr size_t kMaxGroupPixels = 120;  // of a group: enough for three numbers
+constexpr double kSlidPx = 4;            // along the edge, of a match that counts
 
 constexpr double kNearest = 10;        // median inverse depths: the nearest that the scene may be
 constexpr double kFixedPx = 1.5;       // of a group that keeps its place
@@ -61,14 +61,14 @@ bool improve(const PyramidLevel& level, double pixels_per_level, const std::vect
   return step.head<2>().norm() + std::abs(step.z()) * 100 > 0.02;
 }
 
-std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& group) {
-  if (int(group.size()) <= kMostPixels) return group;
-  std::vector<OrientedPixel> out;
-  for (int i = 0; i < kMostPixels; ++i) out.push_back(group[size_t(i) * group.size() / kMostPixels]);
-  return out;
-}
-
 }  // namespace
+
+std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& pixels, size_t most) {
+  if (pixels.size() <= most) return pixels;
+  std::vector<OrientedPixel> some;
+  for (size_t i = 0; i < most; ++i) some.push_back(pixels[i * pixels.size() / most]);
+  return some;
+}
 
 double agreeing_share(const PyramidLevel& finest, const std::vector<OrientedPixel>& group,
                       const ImageSimilarity& motion) {
@@ -92,7 +92,7 @@ std::vector<OrientedPixel> moved_edges(const PyramidLevel& finest, const std::ve
 
 GroupMotion align_group(const FramePyramid& current, const std::vector<OrientedPixel>& all,
                         const std::vector<ImageSimilarity>& starts) {
-  const std::vector<OrientedPixel> group = thinned(all);
+  const std::vector<OrientedPixel> group = thinned(all, kMaxGroupPixels);
   GroupMotion best;
   for (ImageSimilarity motion : starts) {
     for (int l = 1; l >= 0; --l) {
@@ -124,7 +124,7 @@ StaticComparison compare_with_static(const Pinhole& camera, const SE3& T_cur_ref
   const Eigen::Matrix3d R = T_cur_ref.R();
   const Eigen::Vector3d t = T_cur_ref.translation();
   std::vector<double> distances, parallaxes;
-  for (const OrientedPixel& p : thinned(group)) {
+  for (const OrientedPixel& p : thinned(group, kMaxGroupPixels)) {
     const Eigen::Vector3d ray = camera.ray(p.px);
     const Projection far = project(camera, R, t, ray, 0), usual = project(camera, R, t, ray, median_idepth);
     if (!far.valid) continue;
