@@ -8,7 +8,7 @@
 #include "edgevo/association/associate.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/mapping/depth_filter.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 namespace {
 
@@ -68,7 +68,7 @@ void update_depths_once(benchmark::State& state) {
 void process_keyframe(benchmark::State& state) {
   constexpr int kFramesApart = 3;
   Bootstrap bootstrap(test::pinhole(), BootstrapParams(), 1);
-  OdometryParams params;
+  MapperParams params;
   params.camera.refine = "none";
   params.edge_map.mode = "off";
   Mapper mapper(test::pinhole(), params, {});

@@ -6,7 +6,7 @@
 #include <future>
 #include <memory>
 
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 #include "frame_tracker.h"
 
 namespace edgevo {

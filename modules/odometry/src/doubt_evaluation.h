@@ -9,7 +9,7 @@
 #include "edgevo/confidence/health_watch.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 namespace edgevo {
 

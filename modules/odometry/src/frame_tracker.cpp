@@ -6,10 +6,10 @@
 
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
 #include "median_motion.h"
-#include "stage_timer.h"
 
 namespace edgevo {
 namespace {

@@ -6,10 +6,10 @@
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
 #include "see_points.h"
-#include "stage_timer.h"
 
 namespace edgevo {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 #include "edgevo/odometry/odometry.h"
 #include "mapping_thread.h"
 

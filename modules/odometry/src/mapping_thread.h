@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 namespace edgevo {
 

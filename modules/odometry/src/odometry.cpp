@@ -7,10 +7,10 @@
 #include "camera_log.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
 #include "odometry_impl.h"
-#include "stage_timer.h"
 
 namespace edgevo {
 

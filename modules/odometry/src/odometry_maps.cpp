@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
 #include "odometry_impl.h"
-#include "stage_timer.h"
 
 namespace edgevo {
 

@@ -18,12 +18,10 @@
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/core/stage_times.h"
 #include "edgevo/edges/image_motion.h"
 
 namespace edgevo {
-
-/// CPU time in milliseconds by stage.
-using StageTimes = std::vector<std::pair<std::string, double>>;
 
 /// A segment has begun: the pose of its map in the world, and how it was found.
 struct SegmentPlaced {

@@ -16,10 +16,10 @@
 #include "edgevo/core/rectification.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/map/map.h"
+#include "edgevo/mapping/shedding.h"
 #include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/shedding.h"
 
 namespace edgevo {
 

@@ -2,7 +2,7 @@
 #pragma once
 // What a run skips where the machine is too slow for the schedule of its frames: a pose that comes late
 // is worth less than a coarser map.
-#include "edgevo/odometry/shedding.h"
+#include "edgevo/mapping/shedding.h"
 
 namespace edgevo {
 

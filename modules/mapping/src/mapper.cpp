@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "edgevo/alignment/projection.h"
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
 #include "first_keyframes.h"
 #include "rebuilt_images.h"
-#include "stage_timer.h"
 
 namespace edgevo {
 namespace {
@@ -29,13 +29,13 @@ AdjustmentEvidence evidence_of(const WindowStats& stats) {
 
 }  // namespace
 
-Mapper::Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options)
+Mapper::Mapper(const Rectification& rectification, const MapperParams& params, const MapperOptions& options)
     : rectification_(rectification),
       pinhole_(rectification.target()),
       cells_(rectification, params.mapping.depth_filter.cell_px),
       params_(params.mapping),
       association_(params.association),
-      gradient_patches_(params.alignment.photometric),
+      gradient_patches_(params.gradient_patches),
       options_(options),
       random_(Random::derive(options.seed, 2)),
       log_(options.log ? options.log : std::make_shared<MapLog>()),

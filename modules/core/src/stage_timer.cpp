@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "stage_timer.h"
+#include "edgevo/core/stage_timer.h"
 
 namespace edgevo {
 

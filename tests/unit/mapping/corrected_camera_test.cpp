@@ -70,8 +70,8 @@ class CorrectedCamera : public testing::Test {
   }
 
  private:
-  static OdometryParams params() {
-    OdometryParams params = test::window_only(MappingParams());
+  static MapperParams params() {
+    MapperParams params = test::window_only(MappingParams());
     params.mapping.window.keyframes = 7;
     params.camera.refine = "readout";
     params.camera.min_keyframes = 3 * kFirstEstimate;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // CPU time of each stage of a run, also in its trace.
+#include "edgevo/core/stage_times.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/mapper.h"
 
 namespace edgevo {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mapper: from a bootstrap over a number of keyframes, fed with frames that it tracks itself.
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 #include <gmock/gmock.h>
 

@@ -7,14 +7,14 @@
 
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/confidence/frame_status.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 #include "support/sweep_scene.h"
 
 namespace edgevo::test {
 
 /// Parameters of a mapper that neither calibrates the camera nor makes lines.
-inline OdometryParams window_only(const MappingParams& mapping) {
-  OdometryParams params;
+inline MapperParams window_only(const MappingParams& mapping) {
+  MapperParams params;
   params.camera.refine = "none";
   params.edge_map.mode = "off";
   params.mapping = mapping;
@@ -27,7 +27,7 @@ class SweepDriver {
   explicit SweepDriver(const MappingParams& params, uint64_t seed = 1)
       : SweepDriver(window_only(params), {seed, false, {}, std::make_shared<MapLog>(), {}}) {}
   /// `options` with a log.
-  SweepDriver(const OdometryParams& params, const MapperOptions& options)
+  SweepDriver(const MapperParams& params, const MapperOptions& options)
       : log(options.log), events(log), mapper(Sweep::pinhole(), params, options) {}
 
   std::string start(int first = 0, int last = 8, double unit = 1.0) {

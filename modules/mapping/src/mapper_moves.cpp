@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "edgevo/confidence/health_watch.h"
+#include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 #include "rebuilt_images.h"
-#include "stage_timer.h"
 #include "unit_move.h"
 
 namespace edgevo {

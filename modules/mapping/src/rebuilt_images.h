@@ -12,7 +12,7 @@
 #include "edgevo/core/thread_priority.h"
 #include "edgevo/core/trace.h"
 #include "edgevo/map/keyframe.h"
-#include "edgevo/odometry/mapper.h"
+#include "edgevo/mapping/mapper.h"
 
 namespace edgevo {
 

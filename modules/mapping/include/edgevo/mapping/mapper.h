@@ -20,9 +20,8 @@
 #include "edgevo/map/map.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/idepth_prior.h"
+#include "edgevo/mapping/shedding.h"
 #include "edgevo/mapping/window.h"
-#include "edgevo/odometry/odometry_params.h"
-#include "edgevo/odometry/shedding.h"
 #include "edgevo/segmentation/moving_areas.h"
 #include "edgevo/self_calibration/self_calibration.h"
 
@@ -110,7 +109,21 @@ using RebuildPyramid = std::function<std::shared_ptr<const FramePyramid>(
 /// Proposes a move of the map; nothing to leave it as it is.
 using MoveMap = std::function<std::optional<MapMoved>(const Map&)>;
 
-/// How mapping works in a run; what it estimates is in OdometryParams.
+/// What a Mapper estimates, and how.
+struct MapperParams {
+  /// Bootstrap, points and window.
+  MappingParams mapping;
+  /// Matches between keyframes.
+  AssociationParams association;
+  /// Camera properties that the camera file does not contain.
+  SelfCalibrationParams camera;
+  /// Map of lines.
+  EdgeMapParams edge_map;
+  /// AlignmentParams::photometric: patches of gradients next to those of gray levels.
+  bool gradient_patches = false;
+};
+
+/// How mapping works in a run; what it estimates is in MapperParams.
 struct MapperOptions {
   /// Seed of the run.
   uint64_t seed = 1;
@@ -121,9 +134,9 @@ struct MapperOptions {
   RebuildPyramid rebuild;
   /// Receives the events of the map; null: nobody follows it.
   std::shared_ptr<MapLog> log;
-  /// OdometryOptions::move_map; may be empty.
+  /// Called once per keyframe, after self-calibration; may be empty.
   MoveMap move_map;
-  /// OdometryOptions::forget.
+  /// What the events report leaves the memory.
   bool forget = false;
 };
 
@@ -132,7 +145,7 @@ class Mapper {
  public:
   /// Starts without a map. Throws InputError for a solver of
   /// another name.
-  Mapper(const Rectification& rectification, const OdometryParams& params, const MapperOptions& options);
+  Mapper(const Rectification& rectification, const MapperParams& params, const MapperOptions& options);
   ~Mapper();
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
