@@ -11,8 +11,8 @@
 #include "edgevo/features/view_link.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/tracking/front_end.h"
 #include "frame_log.h"
-#include "front_end.h"
 #include "map_link.h"
 
 namespace edgevo {

@@ -16,7 +16,7 @@
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/segmentation/own_parts.h"
-#include "late_frames.h"
+#include "edgevo/tracking/late_frames.h"
 #include "map_link.h"
 
 namespace edgevo {

@@ -8,8 +8,8 @@
 #include "edgevo/alignment/reference.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/tracking/front_end.h"
 #include "frame_log.h"
-#include "front_end.h"
 
 namespace edgevo {
 

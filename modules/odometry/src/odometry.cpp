@@ -13,6 +13,19 @@
 #include "odometry_impl.h"
 
 namespace edgevo {
+namespace {
+
+TrackingParams tracking_params(const OdometryParams& p) {
+  return {p.edges,
+          p.alignment,
+          p.status,
+          p.mapping.corners,
+          p.keyframe,
+          p.recovery.bootstrap_out_of_view,
+          p.camera.knows_rolling()};
+}
+
+}  // namespace
 
 // ---- one frame ----
 
@@ -25,7 +38,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
       frames(rectification, log),
       adjustments(log),
-      front_end(rectification, p, o),
+      front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule}),
       map(rectification, p, o, log),
       bootstrapper(rectification, p, o.seed, &map, &frames) {
   front_end.set_correction(map.initial_camera().correction);
@@ -163,7 +176,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
 }
 
 void Odometry::Impl::look_and_ask(const ArrivedFrame& now, const SE3& T_cur_ref) {
-  if (const std::optional<Event> seen = front_end.look(now.record->evidence))
+  if (const std::optional<Event> seen = event_of(front_end.look(now.record->evidence)))
     act(now.frame, state.after(*seen, now.frame.index));
   ask_corners(now, front_end.motion_to(T_cur_ref));
 }

@@ -5,6 +5,11 @@
 
 namespace edgevo {
 
+std::optional<Event> event_of(MapInView seen) {
+  if (seen == MapInView::kUncertain) return std::nullopt;
+  return seen == MapInView::kYes ? Event::kInView : Event::kOutOfView;
+}
+
 Event event_of(TrackingState status) {
   if (status == TrackingState::kLost) return Event::kUntracked;
   return status == TrackingState::kTracking ? Event::kTracked : Event::kDegraded;

@@ -6,7 +6,10 @@
 // A frame raises at most one event by being tracked, one by a look at how much of the map is in view, and one
 // by being bootstrapped. transition() defines the response; OdometryState adds the few numbers that outlive a
 // frame.
+#include <optional>
+
 #include "edgevo/core/tracking_state.h"
+#include "edgevo/tracking/map_coverage.h"
 
 namespace edgevo {
 
@@ -39,6 +42,9 @@ enum class Event {
   /// Two views were found, but make no map; the map before them is closed.
   kMapRefused,
 };
+
+/// The event of a look at the map in view; nothing while that is uncertain.
+std::optional<Event> event_of(MapInView seen);
 
 /// The event of a tracked frame with this status, which is not kBootstrapping.
 Event event_of(TrackingState status);

@@ -3,7 +3,7 @@
 // The newest frame as a picture: its edges, and the map's points on them in colour.
 #include <opencv2/core.hpp>
 
-#include "edgevo/odometry/frame_view.h"
+#include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
 

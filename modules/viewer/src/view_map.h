@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "edgevo/map/map_log.h"
-#include "edgevo/odometry/frame_view.h"
+#include "edgevo/tracking/frame_view.h"
 #include "view_keyframes.h"
 
 namespace edgevo {

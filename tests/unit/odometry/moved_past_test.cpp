@@ -17,7 +17,7 @@ namespace {
 using test::sweep_camera;
 using test::sweep_frame;
 
-constexpr int kFrames = 110;
+constexpr int kDriveFrames = 110;
 constexpr size_t kMarginalisedAtMove = 10;
 
 // New over old length of a keyframe; the first one stays where it is.
@@ -74,7 +74,7 @@ Followed follow(bool is_moved) {
   Followed f;
   MapCursor cursor(options.map_log);
   Odometry odometry(sweep_camera(), params, options);
-  for (int k = 0; k < kFrames; ++k) f.live.push_back(odometry.process(sweep_frame(k)));
+  for (int k = 0; k < kDriveFrames; ++k) f.live.push_back(odometry.process(sweep_frame(k)));
   f.run = odometry.finish();
   f.events = cursor.read();
   return f;
@@ -126,7 +126,7 @@ TEST_F(MovedPast, TheRunHasMovedOnceInItsMiddle) {
 }
 
 TEST_F(MovedPast, LivePosesDoNotChangeByABit) {
-  for (size_t k = 0; k < size_t(kFrames); ++k) {
+  for (size_t k = 0; k < size_t(kDriveFrames); ++k) {
     expect_equal(plain().live[k].T_world_cam_live, moved().live[k].T_world_cam_live);
     EXPECT_EQ(plain().live[k].covariance, moved().live[k].covariance);
     EXPECT_EQ(plain().live[k].note, moved().live[k].note);
@@ -179,7 +179,7 @@ TEST_F(MovedPast, LinesOfMovedKeyframesFollow) {
 
 TEST_F(MovedPast, FramesFollowTheirKeyframesAndLaterOnesStay) {
   int followed = 0, stayed = 0;
-  for (size_t k = 0; k < size_t(kFrames); ++k) {
+  for (size_t k = 0; k < size_t(kDriveFrames); ++k) {
     const FrameRecord &a = plain().run.frames[k], &b = moved().run.frames[k];
     ASSERT_EQ(a.T_world_cam.has_value(), b.T_world_cam.has_value());
     ASSERT_EQ(a.reference_keyframe, b.reference_keyframe);

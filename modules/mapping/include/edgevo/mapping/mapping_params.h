@@ -84,7 +84,7 @@ struct WindowParams {
   void visit(ParamVisitor& v);
 };
 
-/// The groups of params/default.yaml under `mapping`, except `keyframe` (odometry/keyframe_params.h).
+/// The groups of params/default.yaml under `mapping`, except `keyframe` (tracking/keyframe_params.h).
 struct MappingParams {
   /// The first map of a segment.
   BootstrapParams bootstrap;

@@ -17,9 +17,9 @@
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/map/map.h"
 #include "edgevo/mapping/shedding.h"
-#include "edgevo/odometry/frame_view.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
+#include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
 

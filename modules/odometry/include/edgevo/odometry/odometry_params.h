@@ -6,8 +6,8 @@
 #include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/mapping/mapping_params.h"
-#include "edgevo/odometry/keyframe_params.h"
 #include "edgevo/self_calibration/self_calibration.h"
+#include "edgevo/tracking/keyframe_params.h"
 
 namespace edgevo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_clock.h"
+#include "edgevo/tracking/frame_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the odometry expects of a rolling shutter.
-#include "rolling_shutter.h"
+#include "edgevo/tracking/rolling_shutter.h"
 
 #include <gtest/gtest.h>
 

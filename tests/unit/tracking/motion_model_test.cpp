@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "motion_model.h"
+#include "edgevo/tracking/motion_model.h"
 
 #include <gtest/gtest.h>
 

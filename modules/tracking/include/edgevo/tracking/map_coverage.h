@@ -3,27 +3,26 @@
 // Detects that the map is out of view. A rotation can be followed with points of unknown depth, a translation
 // only while what is left of the map explains the images. Where it does not, a new map is worth more than the
 // old one (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
-#include <optional>
-
 #include "edgevo/core/frame_evidence.h"
-#include "edgevo/odometry/odometry_params.h"
-#include "state_machine.h"
 
 namespace edgevo {
+
+/// Whether the map is in view.
+enum class MapInView { kYes, kNo, kUncertain };
 
 /// Watches how well the part of the map in view explains the frames.
 class MapCoverage {
  public:
-  explicit MapCoverage(const RecoveryParams& params) : bootstrap_out_of_view_(params.bootstrap_out_of_view) {}
+  /// `may_be_out_of_view` false: the answer is never kNo.
+  explicit MapCoverage(bool may_be_out_of_view) : may_be_out_of_view_(may_be_out_of_view) {}
 
-  /// Call after each frame with a pose. Returns Event::kOutOfView, Event::kInView, or nothing if neither is
-  /// certain.
-  std::optional<Event> look(const FrameEvidence& evidence);
+  /// Call after each frame with a pose.
+  MapInView look(const FrameEvidence& evidence);
   /// Starts over with a new map.
   void restart() { unexplained_frames_ = 0; }
 
  private:
-  bool bootstrap_out_of_view_;
+  bool may_be_out_of_view_;
   /// Recent frames that the map does not explain, less those that it explains; never negative.
   int unexplained_frames_ = 0;
 };

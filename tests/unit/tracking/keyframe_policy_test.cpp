@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // When a frame becomes a keyframe.
-#include "keyframe_policy.h"
+#include "edgevo/tracking/keyframe_policy.h"
 
 #include <gmock/gmock.h>
 

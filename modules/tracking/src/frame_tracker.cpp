@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_tracker.h"
+#include "edgevo/tracking/frame_tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "median_motion.h"
+#include "edgevo/tracking/median_motion.h"
 
 namespace edgevo {
 namespace {
@@ -31,7 +31,7 @@ Proposer propose_median_motion(const TrackingTask& task, const std::optional<Med
 
 // Most depths are guesses, and points that are free along their edges fit a pose, right or wrong.
 bool is_guess(const TrackingTask& task) {
-  return task.params.mapping.corners.max_inlier_share > 0 &&
+  return task.params.corners.max_inlier_share > 0 &&
          2 * size_t(task.reference.known_points) < task.reference.cloud.points.size();
 }
 
@@ -39,7 +39,7 @@ bool is_guess(const TrackingTask& task) {
 // keyframe is made at every frame: large motion. At small motion bad light causes the same, and
 // misleads corners, too.
 bool calls_for_corners(const TrackingTask& task, const PoseCandidate& pose, const SupportScorer& scorer) {
-  const bool few_fit = pose.evidence.inlier_share < task.params.mapping.corners.max_inlier_share;
+  const bool few_fit = pose.evidence.inlier_share < task.params.corners.max_inlier_share;
   if (task.was_lost || !(few_fit || is_guess(task))) return false;
   return scorer.is_lost(pose) || (task.keyframes.follows_keyframe() &&
                                   task.keyframes.calls_for_keyframe(pose.T_cur_ref, task.reference));
@@ -54,7 +54,7 @@ std::vector<PoseHypothesis> corner_hypotheses(const TrackingTask& task, Track* t
   std::vector<PoseHypothesis> hypotheses;
   std::optional<CornerMotion> found =
       find_corner_motion(pinhole_of(task), *task.reference.cloud.pyramid, task.pyramid, expected,
-                         task.params.mapping.corners, task.random);
+                         task.params.corners, task.random);
   if (found) {
     const SE3 T_cur_ref(found->T_to_from.rotation(),
                         expected.translation().norm() * found->T_to_from.translation());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "rolling_shutter.h"
+#include "edgevo/tracking/rolling_shutter.h"
 
 #include <cmath>
 

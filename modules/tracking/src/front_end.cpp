@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "front_end.h"
+#include "edgevo/tracking/front_end.h"
 
 #include <utility>
 
@@ -13,16 +13,15 @@
 
 namespace edgevo {
 
-FrontEnd::FrontEnd(const Rectification& rectification, const OdometryParams& params,
-                   const OdometryOptions& options)
+FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& params,
+                   const TrackingOptions& options)
     : params_(params),
       rectification_(rectification),
       builder_(rectification, params.edges, options.detectors),
       random_(Random::derive(options.seed, 3)),
       keyframes_(rectification.target(), params.keyframe),
-      coverage_(params.recovery) {
-  if (options.realtime && options.on_schedule)
-    corners_beside_ = std::make_unique<CornerSearch>(params, options.seed);
+      coverage_(params.bootstrap_out_of_view) {
+  if (options.corners_beside) corners_beside_ = std::make_unique<CornerSearch>(params, options.seed);
 }
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
@@ -127,7 +126,7 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
   tracked.moving = bodies_.areas();
   tracked.return_to = decision.return_to;
   tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
-  if (tracked.make_keyframe && params_.camera.knows_rolling()) rectify_keyframe(now, track.twist, &tracked);
+  if (tracked.make_keyframe && params_.rectify_keyframes) rectify_keyframe(now, track.twist, &tracked);
   if (tracked.make_keyframe && corners) {
     corners->measured = tracked.motion;
     tracked.by_corners = corners_beside_->begin(std::move(*corners));

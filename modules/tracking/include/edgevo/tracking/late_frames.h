@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "front_end.h"
+#include "edgevo/tracking/front_end.h"
 
 namespace edgevo {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/odometry/keyframe_params.h"
+#include "edgevo/tracking/keyframe_params.h"
 
 namespace edgevo {
 

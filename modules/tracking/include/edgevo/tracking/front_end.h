@@ -7,24 +7,34 @@
 #include <string>
 #include <utility>
 
-#include "corner_search.h"
 #include "edgevo/confidence/smooth_error_mean.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
+#include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/mapping/mapper.h"
-#include "edgevo/odometry/frame_view.h"
-#include "edgevo/odometry/odometry.h"
-#include "edgevo/odometry/odometry_params.h"
 #include "edgevo/segmentation/moving_bodies.h"
 #include "edgevo/segmentation/standstill.h"
-#include "frame_tracker.h"
-#include "keyframe_policy.h"
-#include "map_coverage.h"
-#include "motion_model.h"
-#include "rolling_shutter.h"
+#include "edgevo/tracking/corner_search.h"
+#include "edgevo/tracking/frame_tracker.h"
+#include "edgevo/tracking/frame_view.h"
+#include "edgevo/tracking/keyframe_policy.h"
+#include "edgevo/tracking/map_coverage.h"
+#include "edgevo/tracking/motion_model.h"
+#include "edgevo/tracking/rolling_shutter.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
+
+/// How tracking works in a run; what it estimates is in TrackingParams.
+struct TrackingOptions {
+  /// Seed of the run.
+  uint64_t seed = 1;
+  /// Detectors that EdgeParams::detector may name.
+  EdgeDetectorTable detectors = basic_edge_detectors();
+  /// Corners are searched next to the frames (corner_search.h).
+  bool corners_beside = false;
+};
 
 /// A frame while it is processed.
 struct ArrivedFrame {
@@ -38,7 +48,7 @@ struct ArrivedFrame {
 class FrontEnd {
  public:
   /// Throws InputError for an unusable camera or detector.
-  FrontEnd(const Rectification& rectification, const OdometryParams& params, const OdometryOptions& options);
+  FrontEnd(const Rectification& rectification, const TrackingParams& params, const TrackingOptions& options);
 
   /// Must be called first for each frame, also for one that is skipped.
   void begin_frame(Timestamp time) { motion_.begin_frame(time); }
@@ -52,7 +62,7 @@ class FrontEnd {
   /// Why the step to a pose is not believed, whatever its support; empty where it is.
   std::string reason_against_step(const SE3& T_cur_ref) const;
   /// Whether the map is in view (MapCoverage::look).
-  std::optional<Event> look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
+  MapInView look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
   /// record.
   TrackedFrame accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy);
@@ -99,11 +109,11 @@ class FrontEnd {
   void hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
-  OdometryParams params_;
+  TrackingParams params_;
   Rectification rectification_;
   PyramidBuilder builder_;
   Random random_;                                 // for corners
-  std::unique_ptr<CornerSearch> corners_beside_;  // only with OdometryOptions::on_schedule
+  std::unique_ptr<CornerSearch> corners_beside_;  // only with TrackingOptions::corners_beside
   MotionModel motion_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;

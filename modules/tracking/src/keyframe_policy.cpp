@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "keyframe_policy.h"
+#include "edgevo/tracking/keyframe_policy.h"
 
 #include <algorithm>
 #include <cmath>

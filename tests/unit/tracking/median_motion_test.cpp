@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "median_motion.h"
+#include "edgevo/tracking/median_motion.h"
 
 #include <gtest/gtest.h>
 
 #include "edgevo/confidence/frame_status.h"
-#include "motion_model.h"
+#include "edgevo/tracking/motion_model.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "corner_search.h"
+#include "edgevo/tracking/corner_search.h"
 
 #include <chrono>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace edgevo {
 
-CornerSearch::CornerSearch(const OdometryParams& params, uint64_t seed)
+CornerSearch::CornerSearch(const TrackingParams& params, uint64_t seed)
     : params_(params), random_(Random::derive(seed, 4)) {}
 
 bool CornerSearch::is_busy() const {

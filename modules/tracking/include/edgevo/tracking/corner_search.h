@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "edgevo/mapping/mapper.h"
-#include "frame_tracker.h"
+#include "edgevo/tracking/frame_tracker.h"
 
 namespace edgevo {
 
@@ -27,7 +27,7 @@ struct CornerJob {
 /// Searches corners in a thread of its own, of one frame at a time; for the tracking thread.
 class CornerSearch {
  public:
-  CornerSearch(const OdometryParams& params, uint64_t seed);
+  CornerSearch(const TrackingParams& params, uint64_t seed);
 
   /// Whether a search is under way.
   bool is_busy() const;
@@ -37,7 +37,7 @@ class CornerSearch {
  private:
   PoseByCorners search(const CornerJob& job);
 
-  OdometryParams params_;
+  TrackingParams params_;
   Random random_;                            // of the search that is under way
   std::shared_future<PoseByCorners> found_;  // last member: it ends before the others
 };

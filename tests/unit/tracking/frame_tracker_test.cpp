@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_tracker.h"
+#include "edgevo/tracking/frame_tracker.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "corner_search.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/tracking/corner_search.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
 
@@ -42,7 +42,7 @@ class FrameTracker : public ::testing::Test {
   test::PlaneScene scene;
   Reference reference;
   MotionModel motion;
-  OdometryParams params;
+  TrackingParams params;
   Random random{1};
   KeyframePolicy keyframes{scene.pyramid(SE3())->finest().pinhole, params.keyframe};
   const SE3 truth = kStep * kStep * kStep;
@@ -89,8 +89,8 @@ class ABentMap : public FrameTracker {
  protected:
   ABentMap() {
     bend(0.03);
-    params.mapping.corners.max_inlier_share = 1;
-    params.mapping.corners.min_agreeing = 30;
+    params.corners.max_inlier_share = 1;
+    params.corners.min_agreeing = 30;
     params.keyframe.flow_px = 4.1;
   }
 
@@ -116,25 +116,25 @@ class ABentMap : public FrameTracker {
 
 TEST_F(ABentMap, DoesNotTurnTheCamera) {
   EXPECT_LT(error_of(track().result.T_cur_ref), 0.01);
-  params.mapping.corners.min_agreeing = 10000;
+  params.corners.min_agreeing = 10000;
   EXPECT_GT(error_of(track().result.T_cur_ref), 0.015) << "the edges alone follow the map";
 }
 
 TEST_F(ABentMap, DoesNotTurnTheCameraWhenItBeginsToBend) {
   bend(-0.015);  // of 0.03
   EXPECT_LT(error_of(track().result.T_cur_ref), 0.008);
-  params.mapping.corners.min_agreeing = 10000;
+  params.corners.min_agreeing = 10000;
   EXPECT_GT(error_of(track().result.T_cur_ref), 0.012) << "the edges alone follow the map";
 }
 
 // Nearly all of the edges fit the frame; where most depths are guesses, that says little.
 TEST_F(ABentMap, IsHeldByCornersHoweverWellItsEdgesFitWhereMostDepthsAreGuesses) {
-  params.mapping.corners.max_inlier_share = 0.01;
+  params.corners.max_inlier_share = 0.01;
   EXPECT_EQ(track().corner_ms, 0);
   reference.known_points = int(reference.cloud.points.size()) / 2 - 1;
   EXPECT_GT(track().corner_ms, 0);
   EXPECT_LT(error_of(track().result.T_cur_ref), 0.01);
-  params.mapping.corners.max_inlier_share = 0;
+  params.corners.max_inlier_share = 0;
   EXPECT_EQ(track().corner_ms, 0) << "0: never";
 }
 
@@ -219,7 +219,7 @@ class AlongTheEdges : public ::testing::Test {
     motion.begin_frame(Timestamp::from_seconds(0.1 * frame));
     motion.follow(SE3::exp(twist(0, length, 0, 0, 0, 0)) * motion.T_last_ref(), is_odd);
   }
-  Track track(const OdometryParams& params) {
+  Track track(const TrackingParams& params) {
     const KeyframePolicy keyframes(camera.pinhole(), params.keyframe);
     return track_frame({*pyramid, reference, motion, keyframes, params, {}, false, &random});
   }
@@ -235,7 +235,7 @@ class AlongTheEdges : public ::testing::Test {
 };
 
 TEST_F(AlongTheEdges, TheMedianMotionIsTheBetterGuess) {
-  OdometryParams params;
+  TrackingParams params;
   const Track with_prior = track(params);
   params.alignment.use_median_motion_prior = false;
   const Track without = track(params);

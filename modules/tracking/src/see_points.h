@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "edgevo/alignment/reference_cloud.h"
-#include "edgevo/odometry/frame_view.h"
+#include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
 

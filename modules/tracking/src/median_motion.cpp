@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "median_motion.h"
+#include "edgevo/tracking/median_motion.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "edgevo/core/order_statistics.h"
-#include "motion_model.h"
+#include "edgevo/tracking/motion_model.h"
 #include "view_change.h"
 
 namespace edgevo {

@@ -8,8 +8,8 @@
 #include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
-#include "frame_clock.h"
-#include "median_motion.h"
+#include "edgevo/tracking/frame_clock.h"
+#include "edgevo/tracking/median_motion.h"
 
 namespace edgevo {
 

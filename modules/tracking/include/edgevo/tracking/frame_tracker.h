@@ -11,10 +11,10 @@
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/random.h"
 #include "edgevo/features/corner_motion.h"
-#include "edgevo/odometry/odometry_params.h"
-#include "keyframe_policy.h"
-#include "motion_model.h"
-#include "rolling_shutter.h"
+#include "edgevo/tracking/keyframe_policy.h"
+#include "edgevo/tracking/motion_model.h"
+#include "edgevo/tracking/rolling_shutter.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
 
@@ -24,7 +24,7 @@ struct TrackingTask {
   const Reference& reference;
   const MotionModel& motion;
   const KeyframePolicy& keyframes;
-  const OdometryParams& params;
+  const TrackingParams& params;
   RowRectification rows;
   /// True if the frame before has no pose.
   bool was_lost = false;

@@ -8,7 +8,7 @@
 #include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/core/keyframe_reason.h"
-#include "edgevo/odometry/keyframe_params.h"
+#include "edgevo/tracking/keyframe_params.h"
 
 namespace edgevo {
 

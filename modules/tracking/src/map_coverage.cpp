@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map_coverage.h"
+#include "edgevo/tracking/map_coverage.h"
 
 #include <algorithm>
 
@@ -12,15 +12,15 @@ constexpr int kManyUnexplained = 12;  // frames; a keyframe may end a shorter in
 
 }  // namespace
 
-std::optional<Event> MapCoverage::look(const FrameEvidence& evidence) {
+MapInView MapCoverage::look(const FrameEvidence& evidence) {
   if (!is_out_of_view(evidence)) {
     unexplained_frames_ = 0;  // fast motion also blurs images of a map that is in view
-    return Event::kInView;
+    return MapInView::kYes;
   }
   unexplained_frames_ =
       std::clamp(unexplained_frames_ + (is_explained(evidence) ? -1 : 1), 0, 2 * kManyUnexplained);
-  if (unexplained_frames_ >= kManyUnexplained && bootstrap_out_of_view_) return Event::kOutOfView;
-  return std::nullopt;
+  const bool is_out = unexplained_frames_ >= kManyUnexplained && may_be_out_of_view_;
+  return is_out ? MapInView::kNo : MapInView::kUncertain;
 }
 
 }  // namespace edgevo
