@@ -166,13 +166,13 @@ std::string picture_path(const std::string& camera_file) {
 
 void print_left_out(const BoardViews& views) {
   if (views.of_other_size.empty()) return;
-  constexpr size_t kMostNames = 5;
+  constexpr size_t kMaxNames = 5;
   std::string names;
-  for (size_t i = 0; i < std::min(kMostNames, views.of_other_size.size()); ++i)
+  for (size_t i = 0; i < std::min(kMaxNames, views.of_other_size.size()); ++i)
     names += (i > 0 ? ", " : "") + views.of_other_size[i];
   std::printf("skipped: %zu of %zu images, which are not %dx%d: %s%s\n", views.of_other_size.size(),
               views.of_other_size.size() + size_t(views.images), views.width, views.height, names.c_str(),
-              views.of_other_size.size() > kMostNames ? ", ..." : "");
+              views.of_other_size.size() > kMaxNames ? ", ..." : "");
 }
 
 // "residuals by lens: plumb_bob 1.913 px, fisheye 0.104 px, rational 0.231 px"

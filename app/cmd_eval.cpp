@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/evaluation/alignment_hints.h"
@@ -65,7 +66,7 @@ int eval_folders(const EvalArguments& args, const EvaluationOptions& options, co
 int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
-  options.stated_noise = {args.truth_sigma_m, args.truth_sigma_deg * M_PI / 180};
+  options.stated_noise = {args.truth_sigma_m, rad(args.truth_sigma_deg)};
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
   if (args.truth_sigma_m > 0 || args.truth_sigma_deg > 0)
     throw InputError(args.trajectory, "is no folder of a run: --truth-sigma-... is for its single frames",

@@ -34,12 +34,12 @@ std::vector<std::string> find_bad_frames(ImageSource& source, int* frames) {
 }
 
 void check_every_frame(const std::string& path, ImageSource& source) {
-  constexpr size_t kMostShown = 10;
+  constexpr size_t kMaxShown = 10;
   int frames = 0;
   const std::vector<std::string> bad = find_bad_frames(source, &frames);
   if (bad.empty())
     return print("check", "all " + std::to_string(frames) + " images decode, sizes and times are right");
-  for (size_t i = 0; i < std::min(kMostShown, bad.size()); ++i) print("BAD", bad[i]);
+  for (size_t i = 0; i < std::min(kMaxShown, bad.size()); ++i) print("BAD", bad[i]);
   throw InputError(path,
                    std::to_string(bad.size()) + " of " + std::to_string(frames) +
                        " frames cannot be used; the first: " + bad.front(),

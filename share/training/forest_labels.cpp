@@ -20,8 +20,8 @@ Counts counts_of(const EdgePatch& patch) {
 
 // Direction in which they differ most.
 Counts main_direction(const std::vector<Counts>& centred, Random& random) {
-  constexpr int kMost = 256, kRounds = 20;
-  const size_t step = std::max<size_t>(1, centred.size() / kMost);
+  constexpr int kMax = 256, kRounds = 20;
+  const size_t step = std::max<size_t>(1, centred.size() / kMax);
   Counts direction;
   for (int i = 0; i < direction.size(); ++i) direction[i] = float(random.uniform(-1, 1));
   for (int round = 0; round < kRounds; ++round) {

@@ -16,15 +16,15 @@ namespace {
 // Levenberg-Marquardt. The damping is relative to the diagonal of the information and changes by factors of
 // ten.
 constexpr double kFirstDamping = 1e-4;  // the start is nearly right
-constexpr double kLeastDamping = 1e-6;  // below it a step is a Gauss-Newton step
+constexpr double kMinDamping = 1e-6;    // below it a step is a Gauss-Newton step
 // Minimum after a rejected step: less would propose almost the same step again.
 constexpr double kRefusedDamping = 1e-2;
 // A step is then a thousandth of the undamped one: there is no descent.
-constexpr double kMostDamping = 1e3;
+constexpr double kMaxDamping = 1e3;
 // px^-2, added to the information, so that the system is solvable if no edge constrains a direction.
 constexpr double kRidge = 1e-9;
 // The iteration stops at a rejected step that rotates the image by less.
-constexpr double kLeastTurnPx = 1e-3;
+constexpr double kMinTurnPx = 1e-3;
 // The patch alignment stops at a step that moves points by less, since the edge alignment follows.
 constexpr double kPatchStepPx = 0.02;
 constexpr int kPatchIterations = 12;   // on each level
@@ -72,11 +72,11 @@ NormalEquations minimise(const Linearise& linearise, int max_iterations, double 
     if (next.stats.cost <= current.stats.cost) {
       *T = candidate;
       current = std::move(next);
-      lambda = std::max(kLeastDamping, lambda * 0.1);
+      lambda = std::max(kMinDamping, lambda * 0.1);
       if (predicted_px < min_step_px) break;
     } else {
-      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < kLeastTurnPx ||
-          lambda > kMostDamping)
+      if (predicted_px < min_step_px || xi.tail<3>().norm() * pixels_per_radian < kMinTurnPx ||
+          lambda > kMaxDamping)
         break;
       lambda = std::max(kRefusedDamping, lambda * 10);
     }

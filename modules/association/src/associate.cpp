@@ -18,7 +18,7 @@ constexpr int kMaxCandidates = 64;
 // A first patch of 5x5 pixels, and the pixel beyond it that interpolation reads.
 constexpr double kBorderPx = 3;
 // Curvature of the cost over the candidates; a flatter cost has no sub-pixel minimum.
-constexpr double kLeastCurvature = 1e-9;
+constexpr double kMinCurvature = 1e-9;
 // Largest distance of an edge match from the prediction, along the edge normal and in total.
 constexpr double kMaxNormalPx = 4.0;
 constexpr double kMaxDistancePx = 2 * kMaxNormalPx;
@@ -27,7 +27,7 @@ constexpr double kMinNormalCosine = 0.7;
 // Searches up to this half length skip the confidence check (tau_lambda in the paper); at 0 none does.
 constexpr double kTauLambdaPx = 0;
 // Floor of sigma_(p||g) in C_d.
-constexpr double kLeastProjectionSigmaPx = 0.5;
+constexpr double kMinProjectionSigmaPx = 0.5;
 
 // Edge pixels along the edge on both sides of `centre`, with arc length from it.
 struct Walk {
@@ -81,7 +81,7 @@ TemplateMatch match_template(const PatchComparison& comparison, const Patch& pat
   m.found = m.cost < kWorstPatchCost;
   if (m.best > 0 && m.best + 1 < walk.count) {
     const double a = cost[m.best - 1], b = cost[m.best + 1], curvature = a - 2 * m.cost + b;
-    if (curvature > kLeastCurvature && a < kWorstPatchCost && b < kWorstPatchCost)
+    if (curvature > kMinCurvature && a < kWorstPatchCost && b < kWorstPatchCost)
       m.offset = std::clamp(0.5 * (a - b) / curvature, -0.5, 0.5);
   }
   return m;
@@ -210,7 +210,7 @@ Match associate(const AssociationQuery& q, const AssociationParams& params,
   const DepthMotion depth = depth_motion(camera, q.T_target_host, ray, q.idepth, q.idepth_sigma);
   match.search_px = std::clamp(search_half_length(Sigma_p, depth, match.normal, params.k_p, params.k_mu),
                                params.min_search_px, std::max(params.min_search_px, params.max_search_px));
-  match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, kLeastProjectionSigmaPx);
+  match.depth_confidence = depth_confidence(Sigma_p, depth.direction, match.normal, kMinProjectionSigmaPx);
 
   if (params.photometric && search_photometric(q, A, centre, params, comparison, &match)) {
     match.kind = MatchKind::kPhotometric;

@@ -7,14 +7,14 @@
 namespace edgevo {
 namespace {
 
-constexpr double kStopPx = 0.02;     // the iteration stops at a shorter step: matches have 0.3 px of noise
-constexpr double kMostStepPx = 1.0;  // limit of the linearisation
+constexpr double kStopPx = 0.02;    // the iteration stops at a shorter step: matches have 0.3 px of noise
+constexpr double kMaxStepPx = 1.0;  // limit of the linearisation
 constexpr float kMinGrayDeviation = 1.5f;  // gray levels: a patch below it is noise
 constexpr int kMaxIterations = 12;
 constexpr double kMaxMovePx = 3.0;     // a refinement that moves further is on another edge
 constexpr double kMaxZnccLoss = 0.15;  // 1 - ZNCC: the patch does not fit
 // Mean square of the slope, standard deviations per pixel: below it the patch is constant along the normal.
-constexpr double kLeastSlope = 1e-3;
+constexpr double kMinSlope = 1e-3;
 
 // Comparison of the normalised image at a trial position with the template.
 struct Comparison {
@@ -76,7 +76,7 @@ bool make_normal_template(const ImageView<T>& host, const Eigen::Vector2d& px_ho
   double square = 0;
   for (int i = 0; i < n; ++i) square += double(out->slope.value[i]) * out->slope.value[i];
   out->slope_square = square;
-  return square > kLeastSlope * n;
+  return square > kMinSlope * n;
 }
 
 template <class T>
@@ -97,7 +97,7 @@ NormalRefinement refine_along_normal(const NormalTemplate& patch, const ImageVie
     result.zncc_loss = 1.0 - double(c.correlation) / n;
     if (std::abs(step) < kStopPx) break;
     if (iteration == kMaxIterations) return result;
-    move += std::clamp(step, -kMostStepPx, kMostStepPx);
+    move += std::clamp(step, -kMaxStepPx, kMaxStepPx);
     if (std::abs(move) > kMaxMovePx) return result;
   }
   result.accepted = result.zncc_loss < kMaxZnccLoss;

@@ -16,9 +16,9 @@ DepthMotion depth_motion(const Pinhole& camera, const SE3& T_target_host, const 
   const Projection at = project(camera, R, t, ray, idepth);
   if (!at.valid) return motion;
   // 1 / unit of the map: practically at infinity, but still in front of the camera.
-  constexpr double kLeastIdepth = 1e-9;
+  constexpr double kMinIdepth = 1e-9;
   for (double sign : {1.0, -1.0}) {
-    const Projection moved = project(camera, R, t, ray, std::max(idepth + sign * idepth_sigma, kLeastIdepth));
+    const Projection moved = project(camera, R, t, ray, std::max(idepth + sign * idepth_sigma, kMinIdepth));
     if (!moved.valid) continue;
     const Eigen::Vector2d step = sign * (moved.px - at.px);
     const double length = step.norm();

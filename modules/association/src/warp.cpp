@@ -47,12 +47,12 @@ namespace {
 
 // Patches are placed and interpolated in whole registers: beyond the last pixel lies its centre again.
 constexpr int kLanes = 8;
-constexpr int kMostLanes = (kMaxPatchPixels + kLanes - 1) / kLanes * kLanes;
+constexpr int kMaxLanes = (kMaxPatchPixels + kLanes - 1) / kLanes * kLanes;
 constexpr int whole_lanes(int pixels) { return (pixels + kLanes - 1) / kLanes * kLanes; }
 
 // Positions (u, v) of the pixels of a patch relative to its centre.
 struct PatchGrid {
-  std::array<float, kMostLanes> u{}, v{};
+  std::array<float, kMaxLanes> u{}, v{};
 };
 constexpr PatchGrid patch_grid(int radius) {
   PatchGrid grid;
@@ -68,8 +68,8 @@ constexpr std::array<PatchGrid, kMaxPatchRadius + 1> kGrids{patch_grid(0), patch
 // Positions of the pixels of a warped patch in the host: grid point, as an offset into the image, and
 // sub-pixel fraction.
 struct WarpedGrid {
-  std::array<int32_t, kMostLanes> offset;
-  std::array<float, kMostLanes> fx, fy;
+  std::array<int32_t, kMaxLanes> offset;
+  std::array<float, kMaxLanes> fx, fy;
 };
 
 // `count`: a multiple of kLanes.
@@ -90,7 +90,7 @@ EDGEVO_WIDE_CLONES void place_grid(float cx, float cy, const Eigen::Matrix2f& B,
 // The four grid values around each pixel, gathered one by one and interpolated with SIMD.
 template <class T>
 struct Corners {
-  std::array<T, kMostLanes> top_left, top_right, bottom_left, bottom_right;
+  std::array<T, kMaxLanes> top_left, top_right, bottom_left, bottom_right;
 };
 
 template <class T>
@@ -112,9 +112,9 @@ bool sample_warped(const ImageView<T>& host, const Eigen::Vector2d& px_host,
                    const Eigen::Matrix2d& A_target_host, int radius, Patch* patch) {
   // Limits of area in the target over area in the host: beyond them the patch is a streak, or a few magnified
   // pixels.
-  constexpr double kLeastArea = 0.05, kMostArea = 20.0;
+  constexpr double kMinArea = 0.05, kMaxArea = 20.0;
   const double det = A_target_host.determinant();
-  if (!(det > kLeastArea && det < kMostArea)) return false;
+  if (!(det > kMinArea && det < kMaxArea)) return false;
   const Eigen::Matrix2f B = A_target_host.inverse().cast<float>();
   const float reach_x = (std::abs(B(0, 0)) + std::abs(B(0, 1))) * float(radius);
   const float reach_y = (std::abs(B(1, 0)) + std::abs(B(1, 1))) * float(radius);

@@ -50,13 +50,13 @@ bool whole(const std::string& text, T* value) {
 }
 
 void add_seeds(const std::string& word, const std::string& where, std::vector<uint64_t>* seeds) {
-  constexpr uint64_t kMost = 1000;  // seeds of a range: more is a typing error
+  constexpr uint64_t kMax = 1000;  // seeds of a range: more is a typing error
   const size_t dots = word.find("..");
   uint64_t first = 0, last = 0;
   const bool good = dots == std::string::npos
                         ? whole(word, &first) && whole(word, &last)
                         : whole(word.substr(0, dots), &first) && whole(word.substr(dots + 2), &last);
-  if (!good || last < first || last - first >= kMost)
+  if (!good || last < first || last - first >= kMax)
     throw InputError(where, "'" + word + "' is not a seed",
                      "write whole numbers as `1 2 7` or `1..5`, a thousand at most");
   for (uint64_t i = 0; i <= last - first; ++i) {

@@ -9,13 +9,13 @@ namespace {
 // Standard deviation of the baseline, share of its length: far below that of the matches, far above rounding.
 constexpr double kHeldShare = 1e-4;
 // Shortest baseline in the unit of the map, whose depths are about ten: prevents a division by zero.
-constexpr double kLeastLength = 1e-9;
+constexpr double kMinLength = 1e-9;
 
 }  // namespace
 
 BaPrior fix_baseline(const SE3& T_first_world, const SE3& T_last_world, int last_id) {
   const Eigen::Vector3d way = (T_last_world * T_first_world.inverse()).translation();
-  const double sigma = kHeldShare * std::max(way.norm(), kLeastLength);
+  const double sigma = kHeldShare * std::max(way.norm(), kMinLength);
   BaPrior prior;
   prior.pose_ids = {last_id};
   prior.linearization = {T_last_world};

@@ -16,7 +16,7 @@ namespace {
 
 // Damping of the pose system: a share of its diagonal and, in its own units, a minimum. Unconstrained poses
 // then have a rate of zero instead of none. Far below the diagonal of any observed pose.
-constexpr double kDiagonalShare = 1e-9, kLeastDiagonal = 1e-12;
+constexpr double kDiagonalShare = 1e-9, kMinDiagonal = 1e-12;
 
 // Derivative of an image point by the first N unknowns.
 template <int N>
@@ -136,7 +136,7 @@ class Profile {
       b.row(i).template head<N>() = -H_k_.row(free_rows[i]);
       for (int j = 0; j < m; ++j)
         A(i, j) = equations.H(free_rows[i], free_rows[j]) - equations.S(free_rows[i], free_rows[j]);
-      A(i, i) += kDiagonalShare * equations.H(free_rows[i], free_rows[i]) + kLeastDiagonal;
+      A(i, i) += kDiagonalShare * equations.H(free_rows[i], free_rows[i]) + kMinDiagonal;
     }
     const AllPoseRows x = solve_positive(A, b);
     rate->setZero(6 * problem_.poses.size(), kUnknowns);

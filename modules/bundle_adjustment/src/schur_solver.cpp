@@ -21,7 +21,7 @@ namespace {
 // lower the cost. Below the lower bound it has no effect and would take too long to grow when needed.
 constexpr double kMaxLambda = 1e16, kMinLambda = 1e-16;
 // Share of the cost: the accuracy of sums of thousands of residuals.
-constexpr double kLeastDecrease = 1e-14;
+constexpr double kMinDecrease = 1e-14;
 
 // Marquardt's scaling (units as the Hessian's diagonal); bounded below, so that an unobserved pose stays
 // unchanged, and above to stay finite.
@@ -188,7 +188,7 @@ BaResult Minimizer::run() {
       damping_.reject();
       continue;
     }
-    if (step_.predicted_decrease <= kLeastDecrease * std::abs(now_.cost)) break;  // at the minimum
+    if (step_.predicted_decrease <= kMinDecrease * std::abs(now_.cost)) break;  // at the minimum
     apply_step();
     const bool expected_last =
         result.iterations == options_.max_iterations || is_enough(step_.predicted_decrease);

@@ -15,8 +15,8 @@
 namespace edgevo {
 namespace {
 
-constexpr int kLeastSide = 3, kMostSide = 100;
-constexpr int kLeastCorners = 6;  // of a ChArUco board: a homography (4) and some redundancy
+constexpr int kMinSide = 3, kMaxSide = 100;
+constexpr int kMinCorners = 6;  // of a ChArUco board: a homography (4) and some redundancy
 
 const std::map<std::string, int>& dictionaries() {
   using namespace cv::aruco;
@@ -47,12 +47,12 @@ using Quads = std::vector<std::vector<cv::Point2f>>;
 // it, and that corner's blur reaches a pixel farther. OpenCV's own window shrinks to nothing, ours to 5x5.
 int half_window(const cv::Point2f& corner, const Quads& markers) {
   constexpr float kBlurPx = 1;
-  constexpr int kLeast = 2, kMost = 5;
-  float nearest = kMost + kBlurPx;
+  constexpr int kMin = 2, kMax = 5;
+  float nearest = kMax + kBlurPx;
   for (const auto& marker : markers)
     for (const cv::Point2f& p : marker)
       nearest = std::min(nearest, std::max(std::abs(p.x - corner.x), std::abs(p.y - corner.y)));
-  return std::max(kLeast, int(nearest - kBlurPx));
+  return std::max(kMin, int(nearest - kBlurPx));
 }
 
 // The point at which the gradients around each corner intersect.
@@ -105,7 +105,7 @@ struct BoardFinder::Charuco {
     std::vector<int> ids;
     cv::aruco::interpolateCornersCharuco(markers, marker_ids, pixels_of(image), board, corners, ids);
     refine(pixels_of(image), markers, &corners);
-    if (int(ids.size()) < kLeastCorners || cv::aruco::testCharucoCornersCollinear(board, ids))
+    if (int(ids.size()) < kMinCorners || cv::aruco::testCharucoCornersCollinear(board, ids))
       return std::nullopt;
     BoardView view;
     for (size_t i = 0; i < ids.size(); ++i) {
@@ -118,7 +118,7 @@ struct BoardFinder::Charuco {
 
 void Board::check() const {
   const std::string option = charuco ? "--charuco" : "--chessboard";
-  if (std::min(columns, rows) < kLeastSide || std::max(columns, rows) > kMostSide)
+  if (std::min(columns, rows) < kMinSide || std::max(columns, rows) > kMaxSide)
     throw InputError(option, "a side is out of range", "give COLUMNSxROWS of 3 to 100 each, for example 9x6");
   if (!(square_m > 0))
     throw InputError("--square", "is not larger than 0", "give the side of a square in metres");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kAlike = 0.02f;  // of the image's width
 // The error falls with the square root of their number, the time grows with its cube.
-constexpr size_t kMostViews = 60;
+constexpr size_t kMaxViews = 60;
 
 // Mean distance between the corners common to both; infinite if there are none.
 float distance(const BoardView& a, const BoardView& b) {
@@ -37,9 +37,9 @@ bool is_new(const BoardView& view, const BoardViews& all) {
 }
 
 std::vector<BoardView> thinned(std::vector<BoardView> views) {
-  if (views.size() <= kMostViews) return views;
+  if (views.size() <= kMaxViews) return views;
   std::vector<BoardView> kept;
-  for (size_t i = 0; i < kMostViews; ++i) kept.push_back(std::move(views[i * views.size() / kMostViews]));
+  for (size_t i = 0; i < kMaxViews; ++i) kept.push_back(std::move(views[i * views.size() / kMaxViews]));
   return kept;
 }
 

@@ -17,10 +17,10 @@ namespace {
 
 // A view gives two constraints on the camera (Zhang) and its corners constrain the lens: nine parameters,
 // with redundancy for bad views.
-constexpr size_t kLeastViews = 8;
-constexpr double kOutlier = 3;          // times the residual of the median view
-constexpr double kMostSigmaF = 0.02;    // of f: a rotation by 90 degrees would be off by two degrees
-constexpr double kMostRmsShare = 1e-3;  // of the image's width: ten times the accuracy of corners
+constexpr size_t kMinViews = 8;
+constexpr double kOutlier = 3;         // times the residual of the median view
+constexpr double kMaxSigmaF = 0.02;    // of f: a rotation by 90 degrees would be off by two degrees
+constexpr double kMaxRmsShare = 1e-3;  // of the image's width: ten times the accuracy of corners
 
 using Views = std::vector<BoardView>;
 
@@ -54,14 +54,14 @@ Views without_outliers(const Views& views, const LensSolution& s, std::vector<in
   Views kept;
   for (size_t i = 0; i < views.size(); ++i)
     if (rms[i] <= most) kept.push_back(views[i]);
-  if (kept.size() < kLeastViews) return views;
+  if (kept.size() < kMinViews) return views;
   for (size_t i = 0; i < views.size(); ++i)
     if (rms[i] > most) skipped->push_back(views[i].frame);
   return kept;
 }
 
 void check_count(const BoardViews& all, const std::string& where) {
-  if (all.views.size() >= kLeastViews) return;
+  if (all.views.size() >= kMinViews) return;
   const std::string seen = std::to_string(all.seen) + " of " + std::to_string(all.images) + " images";
   if (all.seen == 0)
     throw InputError(where, "the board is in none of " + std::to_string(all.images) + " images",
@@ -69,18 +69,18 @@ void check_count(const BoardViews& all, const std::string& where) {
                      "in view, and the light");
   throw InputError(where,
                    "the board is in " + seen + ", " + std::to_string(all.views.size()) + " different view(s)",
-                   "give at least " + std::to_string(kLeastViews) +
+                   "give at least " + std::to_string(kMinViews) +
                        ", from other directions and in other parts of the image");
 }
 
 void check_result(const CameraCalibration& c, const std::string& where) {
   const Pinhole p = c.camera.pinhole();
   const double f = std::min(p.fx, p.fy);
-  if (!(c.rms_px <= kMostRmsShare * p.width))
+  if (!(c.rms_px <= kMaxRmsShare * p.width))
     throw InputError(
         where, "the corners are " + fixed(c.rms_px, 2) + " px (rms) from where this lens model puts them",
         "check the board's size and that it is flat; a lens of a wide view may need another --model");
-  if (!(c.sigma_f_px <= kMostSigmaF * f) || !is_tilted(c.views))
+  if (!(c.sigma_f_px <= kMaxSigmaF * f) || !is_tilted(c.views))
     throw InputError(where,
                      "the views do not determine the focal length (" + fixed(f, 1) + " +- " +
                          fixed(c.sigma_f_px, 1) + " px, if the tilts of the board are correct)",

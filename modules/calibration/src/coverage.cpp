@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include "edgevo/core/angle.h"
 
 namespace edgevo {
 namespace {
 
 constexpr double kBorder =
     1.0 / 6;  // of the image's side: half the margin that a third of the views should reach
-constexpr double kTilt = 15 * M_PI / 180;  // a smaller tilt hardly changes the view (its cosine is 0.97)
+constexpr double kTilt = rad(15);  // a smaller tilt hardly changes the view (its cosine is 0.97)
 
 struct Extent {
   float left = 1, right = 0, top = 1, bottom = 0;  // of all corners, as shares of the image's sides

@@ -12,10 +12,10 @@ namespace {
 constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;
 
 // Most doubt by what right motions do, too: a camera that speeds up, a keyframe whose view is new.
-constexpr double kMostUnproven = 1;
+constexpr double kMaxUnproven = 1;
 
 // 0 for a value that is unknown or negative.
-double limited(double value) { return value > 0 ? std::min(value, kMostDoubt) : 0.0; }
+double limited(double value) { return value > 0 ? std::min(value, kMaxDoubt) : 0.0; }
 
 // A difference less its standard deviation, which may be unknown.
 double beyond(double difference, double sigma) {
@@ -24,14 +24,14 @@ double beyond(double difference, double sigma) {
 
 // Corners know a length only if the camera has moved enough: not in a rotation on the spot.
 bool knows_lengths(const CornerEvidence& c) {
-  constexpr double kMostSigma = 0.3;  // of the logarithm of the scale
-  return c.change_10_sigma <= kMostSigma;
+  constexpr double kMaxSigma = 0.3;  // of the logarithm of the scale
+  return c.change_10_sigma <= kMaxSigma;
 }
 
 double doubt_without_corners(const std::optional<CornerEvidence>& c) {
-  constexpr int kFewCorners = 15;
+  constexpr int kMinCorners = 15;
   constexpr double kTells = 0.1, kDoesNotTell = 0.25, kShort = 0.02;
-  if (!c || c->tracks < kFewCorners) return 1;
+  if (!c || c->tracks < kMinCorners) return 1;
   if (c->motion_error_depths < kShort && std::isfinite(c->rotation_deg)) return 0;
   if (!std::isfinite(c->motion_sigma) || !knows_lengths(*c)) return 1;
   return std::clamp((c->motion_sigma - kTells) / (kDoesNotTell - kTells), 0.0, 1.0);
@@ -70,7 +70,7 @@ double doubt_of_corner_agreement(const CornerEvidence& c) { return limited(2 * (
 double doubt_without_witness(const std::optional<CornerEvidence>& c, double pose_sigma) {
   constexpr double kNoInformation = 0.1;
   const double by_corners = doubt_without_corners(c);
-  return by_corners >= 1 && !(pose_sigma < kNoInformation) ? kMostDoubt : by_corners;
+  return by_corners >= 1 && !(pose_sigma < kNoInformation) ? kMaxDoubt : by_corners;
 }
 
 double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad) {
@@ -79,14 +79,14 @@ double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad
 }
 
 double turn_error(const CornerEvidence& c, double turn_rad) {
-  constexpr double kLeastTurn = 0.05;
-  return turn_rad > kLeastTurn ? c.motion_error_depths / turn_rad : std::numeric_limits<double>::quiet_NaN();
+  constexpr double kMinTurn = 0.05;
+  return turn_rad > kMinTurn ? c.motion_error_depths / turn_rad : std::numeric_limits<double>::quiet_NaN();
 }
 
 double doubt_of_step(double recent, double usual, double median_depth) {
   constexpr double kSmall = 0.002;  // median depths a frame: a fifth of it is 2 % of the depth in ten frames
   const double small = std::isfinite(median_depth) ? kSmall * median_depth : 0.1 * usual;
-  return std::min(kMostUnproven, limited(std::abs(std::log((recent + small) / (usual + small)))));
+  return std::min(kMaxUnproven, limited(std::abs(std::log((recent + small) / (usual + small)))));
 }
 
 double doubt_of_residual(double residual_px) {
@@ -94,7 +94,7 @@ double doubt_of_residual(double residual_px) {
   return limited(std::log(residual_px / kUsualPx));
 }
 
-double doubt_of_adjustment(double moved) { return std::min(kMostUnproven, limited(std::log(moved))); }
+double doubt_of_adjustment(double moved) { return std::min(kMaxUnproven, limited(std::log(moved))); }
 
 double doubt_of_starvation(const FrameEvidence& e) {
   constexpr double kManyInliers = 0.7, kFewInliers = 0.4, kManyPoints = 300, kWellInView = 0.3;

@@ -10,7 +10,7 @@
 namespace edgevo {
 
 /// Largest value of a doubt: one witness alone does not decide by any amount.
-inline constexpr double kMostDoubt = 3;
+inline constexpr double kMaxDoubt = 3;
 
 /// Difference between the motion over ten frames and that of the corners, beyond 2.5 standard deviations of
 /// its length and one of its rotation: 1 where the motion counts as wrong (a quarter of its length and 2 % of

@@ -14,7 +14,7 @@ namespace {
 // Edge pixels: an image with fewer shows nothing to follow (a bootstrap alone needs 80 corners).
 constexpr int kMinEdges = 200;
 // Points of known depth in the reference: fewer may not constrain a translation.
-constexpr int kFewKnownPoints = 200;
+constexpr int kMinKnownPoints = 200;
 // Share of the window's points in view: a pure rotation leaves 3 %, bad light 40 % and more.
 constexpr double kAwayViewShare = 0.15;
 constexpr double kExplainedShare = 0.7;       // of the points in view are matched
@@ -31,7 +31,7 @@ std::string reason_of(PoseSupport support, const FrameEvidence& evidence, const 
   switch (support) {
     case PoseSupport::kDiverged:
       return "alignment diverged";
-    case PoseSupport::kFewPoints:
+    case PoseSupport::kMinPoints:
       return format("only %.0f map points in view, %.0f are needed", evidence.visible_points.value_or(0),
                     params.min_visible);
     case PoseSupport::kUnsupported:
@@ -76,7 +76,7 @@ void StatusParams::visit(ParamVisitor& v) {
 
 PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) {
   if (evidence.diverged) return PoseSupport::kDiverged;
-  if (evidence.visible_points.value_or(0) < params.min_visible) return PoseSupport::kFewPoints;
+  if (evidence.visible_points.value_or(0) < params.min_visible) return PoseSupport::kMinPoints;
   if (evidence.inlier_share < params.lost_share) return PoseSupport::kUnsupported;
   if (evidence.inlier_share < params.degraded_share) return PoseSupport::kWeak;
   return PoseSupport::kGood;
@@ -103,16 +103,16 @@ FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
 }
 
 double covariance_factor(double p_right) {
-  constexpr double kMost = 100;  // ten times the standard deviation
+  constexpr double kMax = 100;  // ten times the standard deviation
   if (!(p_right < kDoubtfulBelow)) return 1;
   const double ratio = kDoubtfulBelow / std::max(p_right, 1e-3);
-  return std::min(ratio * ratio, kMost);
+  return std::min(ratio * ratio, kMax);
 }
 
 bool shows_edges(int edges) { return edges >= kMinEdges; }
 
 bool is_out_of_view(const FrameEvidence& evidence) {
-  return evidence.known_points.value_or(0) < kFewKnownPoints && evidence.view_share < kAwayViewShare;
+  return evidence.known_points.value_or(0) < kMinKnownPoints && evidence.view_share < kAwayViewShare;
 }
 
 bool is_explained(const FrameEvidence& evidence) {

@@ -48,7 +48,7 @@ void HealthWatch::add_lost() {
 }
 
 void HealthWatch::remember(const SureView& view) {
-  constexpr size_t kMost = 8;
+  constexpr size_t kMax = 8;
   if (!before_.empty() && before_.front().reference == view.reference) return;
   before_.erase(std::remove_if(before_.begin(), before_.end(),
                                [&](const SureView& v) {
@@ -57,7 +57,7 @@ void HealthWatch::remember(const SureView& view) {
                                }),
                 before_.end());
   before_.insert(before_.begin(), view);
-  if (before_.size() > kMost) before_.pop_back();
+  if (before_.size() > kMax) before_.pop_back();
 }
 
 void HealthWatch::go_back_before(int frame_index) {

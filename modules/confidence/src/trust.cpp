@@ -50,7 +50,7 @@ double decisive(Doubt doubt) {
     case Doubt::kFocalLength:
       return 1;
     case Doubt::kNoWitness:
-      return kMostDoubt;
+      return kMaxDoubt;
     default:
       return std::numeric_limits<double>::infinity();
   }
@@ -115,8 +115,8 @@ std::string in_words(Doubt doubt, const FrameEvidence& e) {
 }  // namespace
 
 std::string giant_step_in_words(double times) {
-  constexpr double kMostShown = 9999;  // after a standstill of no step at all
-  return format("a step of %.0f times the usual one", std::min(times, kMostShown));
+  constexpr double kMaxShown = 9999;  // after a standstill of no step at all
+  return format("a step of %.0f times the usual one", std::min(times, kMaxShown));
 }
 
 double p_right_at(const TrustKnot* knots, size_t count, double sum) {

@@ -5,21 +5,20 @@
 #include <charconv>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/records.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kRadian = 3.14159265358979323846 / 180;
 constexpr double kLargestAngle = 360;      // degrees
 constexpr double kLargestPosition = 1000;  // metres: more is a slip, such as millimetres
 constexpr double kVertical = 1 - 1e-12;    // sine of a pitch beyond which roll and yaw are one angle
 constexpr const char* kRemedy =
     "give roll,pitch,yaw in degrees, and x,y,z in metres if known: 0,20,0 is a camera 20 degrees down";
 
-Eigen::AngleAxisd about(int axis, double degrees) { return {degrees * kRadian, Eigen::Vector3d::Unit(axis)}; }
+Eigen::AngleAxisd about(int axis, double degrees) { return {rad(degrees), Eigen::Vector3d::Unit(axis)}; }
 
 double number(std::string text, const std::string& where) {
   text.erase(0, text.find_first_not_of(' '));
@@ -49,13 +48,13 @@ CameraMount camera_mount(const SE3& T) {
   CameraMount m;
   m.position = T.translation();
   const double down = std::clamp(-R(2, 0), -1.0, 1.0);
-  m.pitch_deg = std::asin(down) / kRadian;
+  m.pitch_deg = deg(std::asin(down));
   if (std::abs(down) > kVertical) {
-    m.yaw_deg = std::atan2(-R(0, 1), R(1, 1)) / kRadian;
+    m.yaw_deg = deg(std::atan2(-R(0, 1), R(1, 1)));
     return m;
   }
-  m.roll_deg = std::atan2(R(2, 1), R(2, 2)) / kRadian;
-  m.yaw_deg = std::atan2(R(1, 0), R(0, 0)) / kRadian;
+  m.roll_deg = deg(std::atan2(R(2, 1), R(2, 2)));
+  m.yaw_deg = deg(std::atan2(R(1, 0), R(0, 0)));
   return m;
 }
 

@@ -5,18 +5,17 @@
 #include <cmath>
 
 #include "camera_models/lens_math.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
 namespace {
 
-constexpr double kDegrees = 180 / kHalfTurn;  // of a radian
-
 // Interpolation between pixels at the rate of the lens blurs the finest detail. A quarter more pixels to a
 // side keep it: the rendered corridor through lenses of 190 degrees has 0.6 to 0.3 times the error
 // (share/lab/archive/2026-11-26_lenses.md). Not beyond as many pixels as images have that are not scaled
 // down for the sake of time (--image-scale auto).
-constexpr double kFiner = 1.25, kMostPixels = 720000;
+constexpr double kFiner = 1.25, kMaxPixels = 720000;
 
 // Largest angle from the axis at which the camera shows the rays towards `direction` within its image.
 double angle_towards(const Camera& camera, const Eigen::Vector2d& direction) {
@@ -46,11 +45,11 @@ Range range_of(double before, double after, double largest) {
 // Focal length of the target over that of the lens.
 double finer_scale(const Pinhole& raw, const Range& x, const Range& y) {
   const double pixels = double(x.size(raw.fx)) * y.size(raw.fy);
-  return std::clamp(std::sqrt(kMostPixels / pixels), 1.0, kFiner);
+  return std::clamp(std::sqrt(kMaxPixels / pixels), 1.0, kFiner);
 }
 
 std::string degrees_text(double horizontal, double vertical) {
-  return fixed(kDegrees * horizontal, 0) + " x " + fixed(kDegrees * vertical, 0) + " degrees";
+  return fixed(deg(horizontal), 0) + " x " + fixed(deg(vertical), 0) + " degrees";
 }
 
 std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
@@ -66,7 +65,7 @@ Pinhole target_pinhole(const Camera& camera, const TargetRequest& request) {
   const Pinhole raw = camera.pinhole();
   if (request.is_empty() && camera.plumb_bob()) return raw;
   const ViewAngles view = view_angles(camera);
-  const double largest = request.view_deg.value_or(kWidestView) / 2 / kDegrees;
+  const double largest = rad(request.view_deg.value_or(kWidestView) / 2);
   const Range x = range_of(view.left, view.right, largest), y = range_of(view.up, view.down, largest);
   Pinhole target = raw;
   if (request.width > 0) {

@@ -11,11 +11,11 @@ namespace edgevo {
 namespace {
 
 // Differences of times within 7,000 years around 1970 do not overflow; others are no times.
-constexpr int64_t kMostTicks = int64_t(1) << 61;
+constexpr int64_t kMaxTicks = int64_t(1) << 61;
 // A sequence that starts at 0 and goes on in a later year: the 0 stands for no time.
 constexpr int64_t kYear = int64_t(365) * 86400 * Timestamp::kTicksPerSecond;
 
-bool is_time(Timestamp t) { return t.ticks > -kMostTicks && t.ticks < kMostTicks; }
+bool is_time(Timestamp t) { return t.ticks > -kMaxTicks && t.ticks < kMaxTicks; }
 
 std::string seconds_text(int64_t ticks) { return to_string(Timestamp{ticks}) + " s"; }
 

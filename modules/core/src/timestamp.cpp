@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTickDigits = 7;                // decimals of a tick in seconds
 constexpr int64_t kNanosecondsPerTick = 100;  // timestamp.h
-constexpr double kMostSeconds = 9e11;         // more ticks do not fit 64 bits
+constexpr double kMaxSeconds = 9e11;          // more ticks do not fit 64 bits
 
 // "-12.345" without exponent: whole digits, then at most seven decimals, the eighth rounds.
 bool parse_plain(std::string_view text, Timestamp* t) {
@@ -69,7 +69,7 @@ bool parse_seconds(std::string_view text, Timestamp* t) {
   double seconds = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(seconds)) return false;
-  if (std::abs(seconds) > kMostSeconds) return false;
+  if (std::abs(seconds) > kMaxSeconds) return false;
   *t = Timestamp::from_seconds(seconds);
   return true;
 }

@@ -30,10 +30,10 @@ struct Lane {
 
   void add(const Scope& scope) {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (scopes.size() < kMostTracedScopes)
+    if (scopes.size() < kMaxTracedScopes)
       scopes.push_back(scope);
     else
-      scopes[count % kMostTracedScopes] = scope;
+      scopes[count % kMaxTracedScopes] = scope;
     ++count;
   }
 };
@@ -92,7 +92,7 @@ void append_lane(std::string* json, Lane* lane, int64_t begin_ns, size_t number)
            ",\"name\":\"thread_name\",\"args\":{\"name\":";
   append_text(json, lane->name ? lane->name : "thread");
   *json += "}}";
-  const size_t oldest = lane->count > lane->scopes.size() ? lane->count % kMostTracedScopes : 0;
+  const size_t oldest = lane->count > lane->scopes.size() ? lane->count % kMaxTracedScopes : 0;
   std::rotate(lane->scopes.begin(), lane->scopes.begin() + std::ptrdiff_t(oldest), lane->scopes.end());
   for (const Scope& s : lane->scopes) append_scope(json, s, begin_ns, number);
   lane->scopes = {};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assumed_camera.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/describe.h"
@@ -100,7 +101,7 @@ std::string doubt_about_fisheye(const Camera& camera) {
   const double reach = std::min({p.cx, p.cy, p.width - 1 - p.cx, p.height - 1 - p.cy});
   for (const auto& [x, y] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
     if (!camera.unproject({p.cx + x * reach, p.cy + y * reach}))
-      return "The formula of the lens ends at " + fixed(camera.max_angle() * 180 / M_PI, 0) +
+      return "The formula of the lens ends at " + fixed(deg(camera.max_angle()), 0) +
              " degrees from the axis, within the image: the calibration does not reach further, or belongs "
              "to "
              "other images.";

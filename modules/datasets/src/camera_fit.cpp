@@ -36,12 +36,12 @@ Size size_of_file(const std::string& path) {
 // Whether images of size `b` may be ones of size `a` that were scaled, both sides being rounded. A size that
 // differs by a few pixels is another crop.
 bool is_scaled(Size a, Size b) {
-  constexpr double kLeastChange = 0.05;
+  constexpr double kMinChange = 0.05;
   if (a == b) return true;
   const double x_low = (b.first - 1.0) / a.first, x_high = (b.first + 1.0) / a.first;
   const double y_low = (b.second - 1.0) / a.second, y_high = (b.second + 1.0) / a.second;
   return std::max(x_low, y_low) <= std::min(x_high, y_high) &&
-         std::abs(double(b.first) / a.first - 1) > kLeastChange;
+         std::abs(double(b.first) / a.first - 1) > kMinChange;
 }
 
 // Whether the sides differ by their rounding only.

@@ -12,10 +12,10 @@ namespace {
 
 // A whole number of pixels; 0 if the file has none.
 int whole(const YamlValues& values, const char* key, const std::string& where) {
-  constexpr double kMost = 1e6;
+  constexpr double kMax = 1e6;
   const auto all = yaml_numbers(values, {key}, where);
   if (all.empty()) return 0;
-  if (!(all[0] >= 0 && all[0] <= kMost) || all[0] != std::floor(all[0]))
+  if (!(all[0] >= 0 && all[0] <= kMax) || all[0] != std::floor(all[0]))
     throw InputError(where, std::string(key) + " is not a whole number of pixels", "correct it");
   return int(all[0]);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "assumed_camera.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/target_pinhole.h"
@@ -15,8 +16,6 @@ namespace edgevo {
 namespace {
 
 using Lines = std::vector<std::pair<std::string, std::string>>;
-
-constexpr double kDegrees = 180.0 / M_PI;  // of a radian
 
 // Six significant digits, as calibrations are read by people.
 std::string number(double value) {
@@ -101,8 +100,8 @@ std::string describe_mount(const std::optional<SE3>& T_vehicle_cam) {
   const Eigen::Vector3d& t = T_vehicle_cam->translation();
   const Eigen::Vector3d axis = T_vehicle_cam->R().col(2);  // optical axis in the vehicle
   return "at x " + fixed(t.x(), 3) + ", y " + fixed(t.y(), 3) + ", z " + fixed(t.z(), 3) + " m; looks " +
-         fixed(kDegrees * std::atan2(axis.y(), axis.x()), 1) + " deg to the left and " +
-         fixed(kDegrees * std::asin(std::clamp(axis.z(), -1.0, 1.0)), 1) +
+         fixed(deg(std::atan2(axis.y(), axis.x())), 1) + " deg to the left and " +
+         fixed(deg(std::asin(std::clamp(axis.z(), -1.0, 1.0))), 1) +
          " deg up (vehicle x forward, y left, z up)";
 }
 
@@ -123,14 +122,14 @@ void describe_decision(const InputDecision& d, Lines* lines) {
 std::pair<double, double> field_of_view_deg(const Camera& camera) {
   if (!camera.plumb_bob()) {
     const ViewAngles view = view_angles(camera);
-    return {kDegrees * view.horizontal(), kDegrees * view.vertical()};
+    return {deg(view.horizontal()), deg(view.vertical())};
   }
   const Pinhole p = camera.pinhole();
   // The image reaches half a pixel beyond the centres of its border pixels.
   const double horizontal =
       angle_to_axis(camera, {-0.5, p.cy}) + angle_to_axis(camera, {p.width - 0.5, p.cy});
   const double vertical = angle_to_axis(camera, {p.cx, -0.5}) + angle_to_axis(camera, {p.cx, p.height - 0.5});
-  return {kDegrees * horizontal, kDegrees * vertical};
+  return {deg(horizontal), deg(vertical)};
 }
 
 std::vector<std::pair<std::string, std::string>> describe_numbers(const Camera& camera) {

@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "camera_doubt.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/target_pinhole.h"
 #include "edgevo/datasets/describe.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
 
 // Distance from the principal point at which a ray of this angle towards +x appears, pixels; nullopt beyond
 // the range of the lens.
@@ -28,7 +27,7 @@ std::string radii_text(const Camera& camera) {
   const double largest = std::hypot(std::max(p.cx, p.width - 1 - p.cx), std::max(p.cy, p.height - 1 - p.cy));
   std::string text;
   for (int degrees = kStep; degrees < 180; degrees += kStep) {
-    const auto r = radius_px(camera, degrees * kDegree);
+    const auto r = radius_px(camera, rad(degrees));
     if (!r || *r > largest) break;
     text += (text.empty() ? "" : ", ") + std::to_string(degrees) + ": " + fixed(*r, 1);
   }
@@ -44,7 +43,7 @@ std::optional<double> bend_px(const Camera& camera, const Eigen::Vector2d& px, i
   Eigen::Vector3d side = Eigen::Vector3d::Unit(along);
   side = (side - side.dot(from) * from).normalized();
   const double end = (along == 0 ? camera.width : camera.height) - 1;
-  constexpr double kStep = 0.05 * kDegree;
+  constexpr double kStep = rad(0.05);
   std::optional<double> bend;
   for (double angle = 0; angle < M_PI / 2; angle += kStep) {
     const Eigen::Vector3d ray = std::cos(angle) * from + std::sin(angle) * side;

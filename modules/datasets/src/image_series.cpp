@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 using Series = std::map<std::string, Names>;
 
 // With more patterns than these the names are no numbered series: words, or hexadecimal digits.
-constexpr size_t kMostSeries = 8;
+constexpr size_t kMaxSeries = 8;
 // Other names than those of the series are a few odd files up to this share.
 constexpr double kOddShare = 0.05;
 constexpr size_t kSmallestSeries = 3;
@@ -46,8 +46,8 @@ size_t end_of_number(const std::string& name, size_t at) {
 
 // "cam0": the number of a camera, not of an image.
 bool numbers_a_camera(const std::string& name, size_t begin, size_t end) {
-  constexpr size_t kMostDigits = 2;
-  if (end - begin > kMostDigits) return false;
+  constexpr size_t kMaxDigits = 2;
+  if (end - begin > kMaxDigits) return false;
   size_t word = begin;
   while (word > 0 && is_letter(name[word - 1])) --word;
   static const std::set<std::string> kCameras{"cam", "camera", "sensor", "view"};
@@ -152,7 +152,7 @@ std::string largest(const Series& series) {
 
 // Names that count nothing: a few words, or hexadecimal digits.
 bool has_no_series(const Series& series) {
-  return series.size() > kMostSeries || series.at(largest(series)).size() < kSmallestSeries;
+  return series.size() > kMaxSeries || series.at(largest(series)).size() < kSmallestSeries;
 }
 
 // `any`: the caller needs no sequence, and takes all images rather than none.

@@ -19,7 +19,7 @@ constexpr double kMeasuredPixels = 480000;
 // Times as many stay as they are: a resampling by less than a fifth blurs more than it saves.
 constexpr double kWithinReach = 1.5;
 constexpr int kMeasuredWidth = 1241;
-constexpr int kLeastSide = 16;  // below this no pyramid level remains
+constexpr int kMinSide = 16;  // below this no pyramid level remains
 
 template <class T>
 std::vector<T> scaled(const std::vector<T>& pixels, const cv::Size& size, const cv::Size& wanted) {
@@ -83,7 +83,7 @@ std::unique_ptr<ImageSource> scale_images(std::unique_ptr<ImageSource> inner, do
   if (!(scale >= 0.01 && scale < 1))
     throw InputError("--image-scale " + fixed(scale, 3), "is out of range", "give 0.01 to 1");
   const int width = int(std::lround(scale * p.width)), height = int(std::lround(scale * p.height));
-  if (std::min(width, height) < kLeastSide)
+  if (std::min(width, height) < kMinSide)
     throw InputError("--image-scale " + fixed(scale, 3), "is too small for images of " + size_of(p),
                      "give a larger scale");
   return std::make_unique<ScaledSource>(

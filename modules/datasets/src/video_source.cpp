@@ -23,7 +23,7 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMostFrames = 1e9;  // plausible limit of a file's own frame count; also fits an int
+constexpr double kMaxFrames = 1e9;  // plausible limit of a file's own frame count; also fits an int
 // Counts are estimates: a video is damaged where more than two frames, and more than one in 50, are missing.
 constexpr int kMissingFrames = 2, kMissingShare = 50;
 constexpr int kLastCamera = 255;  // N of /dev/videoN
@@ -108,7 +108,7 @@ class VideoSource : public ImageSource {
         camera_(choose_or_assume_camera(options, "", images_of(capture_), &decisions_)),
         rate_(choose_rate(options.fps, capture_.get(cv::CAP_PROP_FPS))) {
     const double count = capture_.get(cv::CAP_PROP_FRAME_COUNT);
-    if (count >= 1 && count < kMostFrames) count_ = int(count);
+    if (count >= 1 && count < kMaxFrames) count_ = int(count);
     use(read_video_stamps(path_), options.fps != 0);
   }
 

@@ -68,9 +68,9 @@ double crossing(const EdgeSight& sight, const ViewGeometry& view, const Eigen::V
 
 // Pixels to go without missing an edge, by the squared distance of the nearest one; 0: it is near.
 std::vector<double> make_steps() {
-  constexpr int kMostSquared = NearestField::kMaxRadius * NearestField::kMaxRadius + 1;
+  constexpr int kMaxSquared = NearestField::kMaxRadius * NearestField::kMaxRadius + 1;
   std::vector<double> steps;
-  for (int square = 0; square <= kMostSquared; ++square) {
+  for (int square = 0; square <= kMaxSquared; ++square) {
     const double distance = std::sqrt(double(square));
     steps.push_back(distance > kNearPx ? std::max(1.0, distance - kNearPx) : 0);
   }

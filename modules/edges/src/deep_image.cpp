@@ -16,10 +16,10 @@ constexpr int kRowStep = 8, kColumnStep = 2;  // enough pixels for quantiles
 constexpr double kDull = 0.01;      // on both sides, for the contrast of the scene
 constexpr double kOutliers = 1e-3;  // on both sides, for what 16 bits should hold
 // A quarter of the gray levels: an image that uses fewer is spread.
-constexpr double kLeastSpread = 64;
+constexpr double kMinSpread = 64;
 // Limit of the gain times noise, gray levels: the gradient of white noise of one gray level is 0.136 gray
 // levels per pixel, and six times it stays below the floor of the edge thresholds (min_gradient, 3).
-constexpr double kMostNoise = 3.0 / (6 * 0.136);
+constexpr double kMaxNoise = 3.0 / (6 * 0.136);
 constexpr double kRoundingNoise = 0.29;  // of whole numbers: 1 / sqrt(12)
 // The second difference of white noise is sqrt(6) times as large; its median magnitude is 0.6745 sigma.
 constexpr double kSigmaPerSecondDifference = 1 / (0.6745 * 2.449);
@@ -80,9 +80,9 @@ Exposure exposure_of(const GrayImage& image) {
   const double spread = gray_at(1 - kDull) - gray_at(kDull);
   const double low = gray_at(kOutliers), high = gray_at(1 - kOutliers);
   Exposure e;
-  if (spread > 0 && spread < kLeastSpread)
-    e.gain = std::clamp(kLeastSpread / spread, 1.0,
-                        std::max(1.0, kMostNoise * image.scale.per_level / noise_of(&samples)));
+  if (spread > 0 && spread < kMinSpread)
+    e.gain = std::clamp(kMinSpread / spread, 1.0,
+                        std::max(1.0, kMaxNoise * image.scale.per_level / noise_of(&samples)));
   if (e.gain * (high - low) > kBrightest - kDarkest) e.gain = 255 / (high - low);
   if (e.gain == 1 && low >= kDarkest && high <= kBrightest) return e;
   const double half = std::min(127.5, 0.5 * e.gain * (high - low)), middle = 0.5 * (low + high);

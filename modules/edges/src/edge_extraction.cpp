@@ -14,8 +14,8 @@ namespace {
 
 // Number of pixels gathered, then located, at a time, so that they stay in the L1 cache.
 constexpr int kRun = 256;
-constexpr float kLeastCurvature = 1e-3f;  // Sobel units; a flatter parabola has no usable maximum
-constexpr float kLeastMagnitude = 1e-3f;  // Sobel units; keeps the division finite
+constexpr float kMinCurvature = 1e-3f;  // Sobel units; a flatter parabola has no usable maximum
+constexpr float kMinMagnitude = 1e-3f;  // Sobel units; keeps the division finite
 // Sobel units, an eighth of a gray level per pixel: below it there is no usable normal.
 constexpr float kFlat = 1.0f;
 using Floats = std::array<float, kRun>;
@@ -35,7 +35,7 @@ struct SubPixel {
 // most half a pixel away.
 EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, SubPixel* __restrict out) {
   for (int i = 0; i < count; ++i) {
-    const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, kLeastMagnitude));
+    const float m = s.here[i], scale = 1.0f / (kGradientSteps * std::max(m, kMinMagnitude));
     const float nx = s.dx[i] * scale, ny = s.dy[i] * scale, ax = std::abs(nx), ay = std::abs(ny);
     const float ahead_row = m + ax * (s.ahead_x[i] - m),
                 ahead_next = s.ahead_y[i] + ax * (s.ahead_xy[i] - s.ahead_y[i]);
@@ -45,9 +45,9 @@ EDGEVO_WIDE_CLONES void place(const Surroundings& s, int count, SubPixel* __rest
                 behind = behind_row + ay * (behind_next - behind_row);
     const float curvature = behind - 2.0f * m + ahead;
     // A division that is always defined needs no branch.
-    const float top = 0.5f * (behind - ahead) / std::min(curvature, -kLeastCurvature);
+    const float top = 0.5f * (behind - ahead) / std::min(curvature, -kMinCurvature);
     out->nx[i] = nx, out->ny[i] = ny;
-    out->shift[i] = curvature < -kLeastCurvature ? std::min(std::max(top, -0.5f), 0.5f) : 0.0f;
+    out->shift[i] = curvature < -kMinCurvature ? std::min(std::max(top, -0.5f), 0.5f) : 0.0f;
   }
 }
 

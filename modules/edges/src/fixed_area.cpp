@@ -12,21 +12,21 @@ namespace edgevo {
 namespace {
 
 // Scene edges around and behind a part are found between its edges, too.
-constexpr double kLeastFixedShare = 0.5;
+constexpr double kMinFixedShare = 0.5;
 constexpr int kReachPx = 6;      // edges of a piece are that near to each other
 constexpr int kPartsApart = 12;  // pieces of a part are this share of the width from each other
 constexpr int kMarginPx = 2;     // around the edges: what the gradient there is made of
 constexpr int kGapPx = 12;       // half width of gaps that are closed, gap in a line that goes on
-constexpr double kLeastFixedInGaps = 0.7;
+constexpr double kMinFixedInGaps = 0.7;
 constexpr float kSameLine = 0.97f;  // cosine between normals
 // Blocks of the view in which edges that leave their place are counted, and over how many images.
 constexpr int kBlockPx = 8;
 constexpr float kMemory = 0.96f;
-constexpr double kFewestLeaving = 4, kCalm = 0.15;
-constexpr int kFewestInPiece = 6;     // candidates
-constexpr double kLeastArea = 0.01;   // share of the image; less is harmless
-constexpr int kFewestFixed = 40;      // candidates
-constexpr double kLeastAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals
+constexpr double kMinLeaving = 4, kCalm = 0.15;
+constexpr int kMinInPiece = 6;      // candidates
+constexpr double kMinArea = 0.01;   // share of the image; less is harmless
+constexpr int kMinFixed = 40;       // candidates
+constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals
 
 // Candidates that lie together.
 struct Piece {
@@ -39,14 +39,14 @@ struct Piece {
   }
   // Most edges there are fixed, or were when it was found: around an outline, the scene comes and goes.
   bool holds_together() const {
-    return number >= kFewestInPiece && (edges_fixed >= kLeastFixedShare * edges || 2 * known >= number);
+    return number >= kMinInPiece && (edges_fixed >= kMinFixedShare * edges || 2 * known >= number);
   }
   // Edges of a single direction may slide along themselves, as those of a kerb do. What is fixed to the
   // camera comes in from the border of the view; what lies amid it may be far ahead.
   bool is_part(int least_area) const {
     const double mean = 0.5 * (xx + yy), spread = std::hypot(0.5 * (xx - yy), xy);
-    return number >= kFewestFixed && at_border >= kFewestInPiece && area >= least_area &&
-           mean - spread >= kLeastAcross * number;
+    return number >= kMinFixed && at_border >= kMinInPiece && area >= least_area &&
+           mean - spread >= kMinAcross * number;
   }
 };
 
@@ -92,7 +92,7 @@ Plane<uint8_t> LeavingEdges::calm() const {
   for (const float left : left_)
     if (left > 0.5f) ++active, leaving += left;
   const double usual = leaving / std::max(active, 1.0);
-  if (usual < kFewestLeaving) return {};
+  if (usual < kMinLeaving) return {};
   Plane<uint8_t> calm(width_, height_);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) calm.at(x, y) = left_[size_t(block(x, y))] < kCalm * usual ? 255 : 0;
@@ -114,7 +114,7 @@ Plane<uint8_t> FixedArea::grow(double least_score) const {
   Candidates fixed;
   for (const FixedCandidate& c : candidates_)
     if (c.score >= least_score) fixed.push_back(&c);
-  if (int(fixed.size()) < kFewestFixed) return {};
+  if (int(fixed.size()) < kMinFixed) return {};
   Plane<uint8_t> at(width_, height_);
   as_mat(at).setTo(0);
   for (const FixedCandidate* c : fixed) at.at(nearest_pixel(c->x), nearest_pixel(c->y)) = 255;
@@ -149,7 +149,7 @@ Plane<uint8_t> FixedArea::grow(double least_score) const {
     for (int x = 0; x < width_; ++x) ++pieces[size_t(piece_at.at<int>(y, x))].area;
   for (size_t i = 1; i < pieces.size(); ++i)
     if (pieces[i].holds_together()) sums[size_t(pieces[i].part)].add(pieces[i]);
-  const int least_area = int(kLeastArea * width_ * height_);
+  const int least_area = int(kMinArea * width_ * height_);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
       const Piece& piece = pieces[size_t(piece_at.at<int>(y, x))];
@@ -207,7 +207,7 @@ Plane<uint8_t> FixedArea::filled(const Plane<uint8_t>& area, const Plane<uint8_t
     ++added;
     fixed += near.at(x, y) != 0 || area.at(x, y) != 0;
   }
-  if (fixed >= kLeastFixedInGaps * added) return closed;
+  if (fixed >= kMinFixedInGaps * added) return closed;
   Plane<uint8_t> same(width_, height_);
   as_mat(area).copyTo(as_mat(same));
   return same;

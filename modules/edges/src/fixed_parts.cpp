@@ -13,22 +13,22 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kEvery = 2;               // of the edge pixels, along the edge, are candidates
-constexpr int kColumns = 16, kRows = 8;    // cells of the view
-constexpr float kFaintest = 8;             // Sobel units: noise alone makes half as much
-constexpr float kSameDirection = 0.9f;     // cosine
-constexpr int kFewestInCell = 4;           // strong edges that show whether a cell moves
-constexpr double kLeastCellsMoving = 0.5;  // share of the cells with edges
+constexpr size_t kEvery = 2;             // of the edge pixels, along the edge, are candidates
+constexpr int kColumns = 16, kRows = 8;  // cells of the view
+constexpr float kFaintest = 8;           // Sobel units: noise alone makes half as much
+constexpr float kSameDirection = 0.9f;   // cosine
+constexpr int kMinInCell = 4;            // strong edges that show whether a cell moves
+constexpr double kMinCellsMoving = 0.5;  // share of the cells with edges
 // Directions of edges, and regions of the view by row and column, whose shares are measured.
 constexpr int kDirections = 12, kRegions = 3;
-constexpr double kFewEdges = 20;
-constexpr double kLeastStill = 0.7;      // share of a cell's strong edges that keep their place
-constexpr double kLeastStanding = 0.15;  // share of the cells that are still before a camera that stands
-constexpr double kFoundAgain = 0.7;      // share of a fixed part's edges
-constexpr double kLeastSceneShare = 0.05, kMostSceneShare = 0.7;  // of edges found at their place
-constexpr double kMostScore = 26;
+constexpr double kMinEdges = 20;
+constexpr double kMinStill = 0.7;      // share of a cell's strong edges that keep their place
+constexpr double kMinStanding = 0.15;  // share of the cells that are still before a camera that stands
+constexpr double kFoundAgain = 0.7;    // share of a fixed part's edges
+constexpr double kMinSceneShare = 0.05, kMaxSceneShare = 0.7;  // of edges found at their place
+constexpr double kMaxScore = 26;
 constexpr int kFirst = 12, kOften = 3, kSeldom = 8, kEarly = 60;  // images that were compared
-constexpr double kLeastSuspects = 0.02;                           // share of the image that a map waits for
+constexpr double kMinSuspects = 0.02;                             // share of the image that a map waits for
 constexpr double kMuchMore = 1.3;                                 // of the area, that suspects cover
 constexpr double kWorthChanging = 0.02;                           // share of the area
 
@@ -98,18 +98,18 @@ void FixedParts::compare_cells() {
   moves_.assign(all.size(), 0);
   motion_ = {};
   for (size_t i = 0; i < all.size(); ++i) {
-    if (all[i] < kFewestInCell) continue;
+    if (all[i] < kMinInCell) continue;
     ++motion_.cells;
     moves_[i] = 2 * seen[i] < all[i];
     motion_.moving += moves_[i];
-    still_[i] = seen[i] >= kLeastStill * all[i];
+    still_[i] = seen[i] >= kMinStill * all[i];
     motion_.still += still_[i];
     if (!did_stand || !stood[i]) continue;
     ++stood_cells;
     still_standing += still_[i];
   }
   motion_.stands = did_stand
-                       ? 2 * still_standing >= stood_cells && motion_.still >= kLeastStanding * motion_.cells
+                       ? 2 * still_standing >= stood_cells && motion_.still >= kMinStanding * motion_.cells
                        : motion_.cells > 0 && 2 * motion_.still >= motion_.cells;
 }
 
@@ -135,17 +135,17 @@ std::vector<double> FixedParts::scene_shares() const {
     seen[size_t(c.kind)] += c.seen;
   }
   // Few edges of a direction at a place borrow from other places, few of a direction from all.
-  const double every = (kFewEdges + sum(seen)) / (kFewEdges + sum(all));
+  const double every = (kMinEdges + sum(seen)) / (kMinEdges + sum(all));
   std::vector<double> shares(all.size());
   for (int d = 0; d < kDirections; ++d) {
     double all_here = 0, seen_here = 0;
     for (int p = 0; p < kPlaces; ++p)
       all_here += all[size_t(p * kDirections + d)], seen_here += seen[size_t(p * kDirections + d)];
-    const double along = (kFewEdges * every + seen_here) / (kFewEdges + all_here);
+    const double along = (kMinEdges * every + seen_here) / (kMinEdges + all_here);
     for (int p = 0; p < kPlaces; ++p) {
       const size_t i = size_t(p * kDirections + d);
-      const double share = (kFewEdges * along + seen[i]) / (kFewEdges + all[i]);
-      shares[i] = std::clamp(share, kLeastSceneShare, kMostSceneShare);
+      const double share = (kMinEdges * along + seen[i]) / (kMinEdges + all[i]);
+      shares[i] = std::clamp(share, kMinSceneShare, kMaxSceneShare);
     }
   }
   return shares;
@@ -159,7 +159,7 @@ void FixedParts::weigh(const std::vector<double>& shares) {
   }
   leaving_.fade();
   for (FixedCandidate& c : candidates_)
-    c.score = std::min(c.score + (c.seen ? hit : miss)[size_t(c.kind)], float(kMostScore));
+    c.score = std::min(c.score + (c.seen ? hit : miss)[size_t(c.kind)], float(kMaxScore));
   candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(),
                                    [&](const FixedCandidate& c) {
                                      if (c.score >= 0) return false;
@@ -187,7 +187,7 @@ bool FixedParts::update_area(const ImageEdges& edges, bool is_early) {
   Plane<uint8_t> grown = parts.grow(kFixedScore);
   const int now = count(grown), before = area_ ? count(*area_) : 0;
   const int suspects = is_early ? count(parts.grow(kSuspectScore)) : 0;
-  is_undecided_ = suspects > std::max(kMuchMore * now, kLeastSuspects * width_ * height_);
+  is_undecided_ = suspects > std::max(kMuchMore * now, kMinSuspects * width_ * height_);
   if (std::abs(now - before) <= kWorthChanging * before) return false;
   area_ = now > 0 ? std::make_shared<const Plane<uint8_t>>(std::move(grown)) : nullptr;
   return true;
@@ -201,8 +201,7 @@ bool FixedParts::add(const ImageEdges& edges, const Gradient& gradient) {
   }
   look(gradient);
   compare_cells();
-  if (motion_.stands || motion_.moving < kLeastCellsMoving * motion_.cells || motion_.cells == 0)
-    return false;
+  if (motion_.stands || motion_.moving < kMinCellsMoving * motion_.cells || motion_.cells == 0) return false;
   ++compared_;
   weigh(scene_shares());
   const bool is_early = compared_ < kEarly;

@@ -9,14 +9,14 @@ namespace edgevo {
 namespace {
 
 // Each step reduces the error to about the share of its height that the image moves during the read-out.
-constexpr int kMostSteps = 12;
+constexpr int kMaxSteps = 12;
 // Normalised coordinates: the iteration has converged, with a margin to the documented 1e-12.
 constexpr double kErrorSquare = 1e-26;
 // Step of numeric differences, normalised coordinates: a hundredth of a pixel, much less than a cell of the
 // motion.
 constexpr double kDifference = 1e-5;
 // Of rows_left: at half of it the motion is too fast to be corrected.
-constexpr double kFewestRows = 0.5;
+constexpr double kMinRows = 0.5;
 
 // Rows by which the raw image moves while the normalised image point x moves by `shift`.
 double row_shift(const Camera& camera, const Eigen::Vector2d& x, const Eigen::Vector2d& shift) {
@@ -31,7 +31,7 @@ double row_shift(const Camera& camera, const Eigen::Vector2d& x, const Eigen::Ve
 double rows_left(const Camera& camera, double row_time_s, const Eigen::Vector2d& x,
                  const Eigen::Vector2d& velocity) {
   if (camera.height < 2) return 1;
-  return std::max(kFewestRows, 1 - row_shift(camera, x, row_time_s * velocity) / (camera.height - 1));
+  return std::max(kMinRows, 1 - row_shift(camera, x, row_time_s * velocity) / (camera.height - 1));
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Eigen::Vector2d from_file(const Rectification& r, const ImageCorrection& correct
   if (correction.readout_s == 0 || !motion.is_known()) return rolling;
   Eigen::Vector2d x = rolling;
   double at_first = -1, at_last = 0;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::Vector2d error = add_rolling(r, row_time(correction), motion, x) - rolling;
     x -= error;
     at_last = error.squaredNorm();

@@ -27,25 +27,25 @@ int is_saturated(uint8_t gray) { return uint8_t(gray + kSlack + 1) <= 2 * kSlack
 class Saturation {
  public:
   explicit Saturation(const GrayImage& image) : image_(image) {
-    const double white = image.scale.black == 0 ? 256 * image.scale.per_level - 1 : kMostValue;
-    white_ = int(std::lround(std::min(white, kMostValue)));
+    const double white = image.scale.black == 0 ? 256 * image.scale.per_level - 1 : kMaxValue;
+    white_ = int(std::lround(std::min(white, kMaxValue)));
   }
   int at(int x, int y) const {
     const size_t i = size_t(y) * image_.width + x;
     if (!image_.is_deep()) return is_saturated(image_.pixels[i]);
     const int value = image_.values[i];
-    return value == 0 || value == white_ || value == int(kMostValue);
+    return value == 0 || value == white_ || value == int(kMaxValue);
   }
 
  private:
-  static constexpr double kMostValue = 65535;
+  static constexpr double kMaxValue = 65535;
   const GrayImage& image_;
   int white_ = 0;
 };
 
 // ---- blur ----
 
-constexpr size_t kLeastEdges = 100;
+constexpr size_t kMinSharpEdges = 100;
 constexpr size_t kSamples = 300;  // edge pixels: enough for a median
 
 // Bilinear; the position is moved into the image.
@@ -80,7 +80,7 @@ double saturated_share(const FramePyramid& pyramid) {
 // second (the same on pixels of twice the size, and the binomial that halves the image).
 double edge_blur(const FramePyramid& pyramid) {
   const std::vector<EdgePixel>& edges = pyramid.finest().edges.pixels;
-  if (edges.size() < kLeastEdges || pyramid.levels.size() < 2) return kUnknown;
+  if (edges.size() < kMinSharpEdges || pyramid.levels.size() < 2) return kUnknown;
   const Plane<float>& second = pyramid.levels[1].gradient_magnitude;
   if (second.width() < 2 || second.height() < 2) return kUnknown;
   std::vector<float> ratios;

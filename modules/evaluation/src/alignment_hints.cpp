@@ -13,9 +13,9 @@
 namespace edgevo {
 namespace {
 
-constexpr double kBetter = 10;       // an error this many times smaller is a hint
-constexpr size_t kMostPoses = 300;   // compared; enough for the shape of a path
-constexpr size_t kFewestPoses = 10;  // fewer fit too many things
+constexpr double kBetter = 10;     // an error this many times smaller is a hint
+constexpr size_t kMaxPoses = 300;  // compared; enough for the shape of a path
+constexpr size_t kMinPoses = 10;   // fewer fit too many things
 // An error below this share of the size of the path needs no explanation.
 constexpr double kSmallError = 1e-3;
 
@@ -23,7 +23,7 @@ using Matches = std::vector<MatchedPose>;
 
 Trajectory thinned(const Trajectory& all) {
   Trajectory some{all.path, all.format, {}};
-  const size_t step = all.poses.size() / kMostPoses + 1;
+  const size_t step = all.poses.size() / kMaxPoses + 1;
   for (size_t i = 0; i < all.poses.size(); i += step) some.poses.push_back(all.poses[i]);
   return some;
 }
@@ -43,7 +43,7 @@ Matches match(const Trajectory& estimate, const GroundTruth& truth, double offse
 // ---- positions ----
 
 // ATE after a Sim(3) fit; infinite if there is none, or fewer than `fewest` matches.
-double ate(const Matches& matches, size_t fewest = kFewestPoses) {
+double ate(const Matches& matches, size_t fewest = kMinPoses) {
   if (matches.size() < fewest || coincide(estimate_points(matches))) return HUGE_VAL;
   const auto error = ate_sim3(matches);
   return error ? error->rmse : HUGE_VAL;
@@ -75,8 +75,8 @@ Offset best_offset(const Trajectory& estimate, const GroundTruth& truth, double 
 Offset search_offset(const Trajectory& estimate, const GroundTruth& truth, double around, double pose_step_s,
                      size_t fewest) {
   constexpr double kReach = 10;
-  constexpr int kMostSteps = 400;
-  double step = std::max(0.5 * pose_step_s, kReach / kMostSteps);
+  constexpr int kMaxSteps = 400;
+  double step = std::max(0.5 * pose_step_s, kReach / kMaxSteps);
   Offset best = best_offset(estimate, truth, around, step, int(kReach / step), fewest);
   while (step > 1e-3 && best.error < HUGE_VAL) {
     step /= 4;
@@ -102,14 +102,14 @@ std::string better(double before, double after) {
 // A truth of which hardly a pose lies in the time of the trajectory shows it a straight way between two of
 // them: its times are probably in a smaller unit.
 bool hint_at_time_unit(const Trajectory& estimate, const Trajectory& truth, std::vector<std::string>* hints) {
-  constexpr int kFewestTruePoses = 3;
+  constexpr int kMinTruePoses = 3;
   constexpr double kTooFar = 100;  // steps of the trajectory between two true poses
-  if (estimate.poses.size() < kFewestPoses || truth.poses.size() < 2) return false;
+  if (estimate.poses.size() < kMinPoses || truth.poses.size() < 2) return false;
   const auto within = [&](const StampedPose& p) {
     return estimate.poses.front().time <= p.time && p.time <= estimate.poses.back().time;
   };
   const double apart_s = step_of(truth);
-  if (std::count_if(truth.poses.begin(), truth.poses.end(), within) > kFewestTruePoses ||
+  if (std::count_if(truth.poses.begin(), truth.poses.end(), within) > kMinTruePoses ||
       apart_s < kTooFar * step_of(estimate))
     return false;
   hints->push_back("hardly a pose of the ground truth lies within the trajectory's time, since they are " +
@@ -120,8 +120,7 @@ bool hint_at_time_unit(const Trajectory& estimate, const Trajectory& truth, std:
 
 void hint_at_offset(const Trajectory& estimate, const GroundTruth& truth, double step_s,
                     const Matches& matches, double before, double given_s, std::vector<std::string>* hints) {
-  const Offset best =
-      search_offset(estimate, truth, 0, step_s, std::max(kFewestPoses, matches.size() * 8 / 10));
+  const Offset best = search_offset(estimate, truth, 0, step_s, std::max(kMinPoses, matches.size() * 8 / 10));
   if (best.error * kBetter < before)
     hints->push_back("the clocks may differ: --t-offset " + number("%.3f", given_s + best.seconds) +
                      " gives " + better(before, best.error));
@@ -246,7 +245,7 @@ std::vector<std::string> alignment_hints(const Trajectory& all, const Trajectory
   const Trajectory estimate = thinned(all);
   const GroundTruth truth(ground_truth);
   const Matches matches = match(estimate, truth);
-  if (matches.size() < kFewestPoses) return hints;
+  if (matches.size() < kMinPoses) return hints;
   const double before = ate(matches), size = spread(truth_points(matches));
   if (before < HUGE_VAL && before > kSmallError * size) {
     if (all.format == TrajectoryFormat::kTum)
@@ -263,7 +262,7 @@ std::optional<double> clock_offset(const Trajectory& all, const Trajectory& grou
   if (all.format != TrajectoryFormat::kTum || ground_truth.format != TrajectoryFormat::kTum)
     return std::nullopt;
   const Trajectory estimate = thinned(all);
-  if (estimate.poses.size() < kFewestPoses) return std::nullopt;
+  if (estimate.poses.size() < kMinPoses) return std::nullopt;
   const GroundTruth truth(ground_truth);
   Offset best;
   for (const double around : {seconds_between(all.poses.front().time, ground_truth.poses.front().time),

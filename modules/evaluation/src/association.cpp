@@ -13,7 +13,7 @@ namespace {
 constexpr int64_t kEndToleranceTicks = Timestamp::kTicksPerSecond / 10'000;
 // Longest gap to interpolate, median steps of the ground truth.
 constexpr int kLongestGapSteps = 10;
-constexpr size_t kFewestMatches = 3;  // a similarity fits any two points exactly
+constexpr size_t kMinMatches = 3;  // a similarity fits any two points exactly
 
 SE3 interpolate(const StampedPose& a, const StampedPose& b, Timestamp time) {
   const double u = double(time.ticks - a.time.ticks) / double(b.time.ticks - a.time.ticks);
@@ -64,10 +64,10 @@ Association associate(const Trajectory& estimate, const Trajectory& ground_truth
     }
     result.matches.push_back({pose.time, frame, pose.T_world_cam, *T_gt});
   }
-  if (estimate.poses.size() < kFewestMatches)
+  if (estimate.poses.size() < kMinMatches)
     throw InputError(estimate.path, "has only " + std::to_string(estimate.poses.size()) + " pose(s)",
-                     "an evaluation needs " + std::to_string(kFewestMatches));
-  if (result.matches.size() < kFewestMatches)
+                     "an evaluation needs " + std::to_string(kMinMatches));
+  if (result.matches.size() < kMinMatches)
     throw InputError(estimate.path,
                      "only " + std::to_string(result.matches.size()) + " of its " +
                          std::to_string(estimate.poses.size()) + " poses lie within the times of " +

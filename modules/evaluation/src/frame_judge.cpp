@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "judged_run.h"
 #include "truth_mount.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
-constexpr int kFewestLocalSteps = 5;  // that make the scale of ten frames
+constexpr int kMinLocalSteps = 5;  // that make the scale of ten frames
 
 using FrameVerdicts = std::vector<FrameVerdict>;
 
@@ -62,7 +61,7 @@ void measure(const JudgedRun& run, const StepScale& scales, int i, const Judgeme
              FrameVerdict* v) {
   const SE3 is = run.motion(i, v->end), ought = run.true_motion(i, v->end);
   v->length_m = ought.translation().norm();
-  v->miss_deg = is.rotation().angularDistance(ought.rotation()) / kDegree;
+  v->miss_deg = deg(is.rotation().angularDistance(ought.rotation()));
   if (v->end == i + rules.ahead_frames) v->p_end = run.claim(v->end).p_right;
   const std::optional<double> scale =
       scales.before(run.segment(i), i, rules.scale_frames, rules.fewest_scale_steps);
@@ -70,7 +69,7 @@ void measure(const JudgedRun& run, const StepScale& scales, int i, const Judgeme
     v->units_per_m = *scale;
     v->miss_m = (is.translation() / *scale - ought.translation()).norm();
     v->miss_of_depth = v->miss_m * *scale / run.depth(i);
-    const auto local = scales.between(run.segment(i), i, i + rules.ahead_frames, kFewestLocalSteps);
+    const auto local = scales.between(run.segment(i), i, i + rules.ahead_frames, kMinLocalSteps);
     if (local) v->scale_ratio = *local / *scale;
   } else if (run.stands(run.segment(i))) {
     v->miss_of_depth = is.translation().norm() / run.depth(i);
@@ -100,8 +99,7 @@ Side side_of_translation(const TruthNoise& noise, const JudgementRules& rules, c
 }
 
 void decide(const TruthNoise& noise, bool is_depth_known, const JudgementRules& rules, FrameVerdict* v) {
-  const Side turn =
-      side_of(v->miss_deg, kNoiseSigmas * kOfTwo * noise.rotation_rad / kDegree, rules.miss_deg);
+  const Side turn = side_of(v->miss_deg, kNoiseSigmas * kOfTwo * deg(noise.rotation_rad), rules.miss_deg);
   const Side move = side_of_translation(noise, rules, *v);
   v->wrong = turn == Side::kWrong || move == Side::kWrong;
   v->is_judged = v->wrong || (turn == Side::kRight && move == Side::kRight);
@@ -146,7 +144,7 @@ int find_off_scale(const JudgedRun& run, const StepScale& scales, int segment, c
     if (v.alarm) is_new = true, now = 0;
     if (v.alarm || !run.is_comparable(i) || run.segment(i) != segment) continue;
     if (std::exchange(is_new, false)) since = scales.first_from(segment, i, rules.scale_frames);
-    const auto local = scales.between(segment, i, i + rules.ahead_frames, kFewestLocalSteps);
+    const auto local = scales.between(segment, i, i + rules.ahead_frames, kMinLocalSteps);
     if (!since || !local) continue;
     const double off = std::max(*local / *since, *since / *local);
     v.off_scale = off > rules.scale_factor;

@@ -13,7 +13,7 @@ namespace {
 // Shorter true steps, in standard deviations of a step, say nothing about the scale.
 constexpr double kStepSigmas = 5;
 // Fewer in a segment may be chance: a long step of the truth is more often one that noise has lengthened.
-constexpr int kFewestSteps = 5;
+constexpr int kMinSteps = 5;
 constexpr int kStrides[] = {1, 2, 5, 10};  // length of a step, frames
 
 using Step = std::vector<ScaleStep>::const_iterator;
@@ -129,7 +129,7 @@ std::optional<double> StepScale::between(int segment, int begin, int end, int fe
 
 std::optional<double> StepScale::before(int segment, int i, int most, int fewest) const {
   const Steps& steps = steps_[size_t(segment)];
-  if (int(steps.size()) < kFewestSteps) return std::nullopt;
+  if (int(steps.size()) < kMinSteps) return std::nullopt;
   const auto enough = std::min<std::ptrdiff_t>(fewest, std::ptrdiff_t(steps.size()));
   const Step last = std::max(first_after(segment, i), steps.begin() + enough);
   const Step first = last - std::min<std::ptrdiff_t>(most, last - steps.begin());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/evaluation/absolute_error.h"
 
 namespace edgevo {
@@ -135,7 +136,7 @@ std::optional<KittiRelative> kitti_relative(const std::vector<EvaluatedFrame>& f
       if (i < 0 || j < 0) continue;
       const SE3 E = relative_error(matches[size_t(i)], matches[size_t(j)], scale);
       sum.t_rel_percent += 100.0 * E.translation().norm() / length;
-      sum.r_rel_deg_per_100m += 100.0 * E.angle() * (180.0 / M_PI) / length;
+      sum.r_rel_deg_per_100m += 100.0 * deg(E.angle()) / length;
       ++sum.intervals;
     }
   if (sum.intervals == 0) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/evaluation/evaluate.h"
 
 namespace edgevo {
@@ -107,9 +108,8 @@ std::string judgement_text(const TrajectoryEvaluation& e) {
                                                     : ", which hides " + std::to_string(first.below_noise) +
                                                           " of " + std::to_string(first.frames) + " frames";
   return "\nsingle frames: the motion over the next ten; noise of the ground truth " +
-         rounded(1000 * e.truth_noise.position_m) + " mm, " +
-         rounded(e.truth_noise.rotation_rad * 180 / M_PI) + " deg" + hidden + "\n" +
-         judgement_table(e.judgement);
+         rounded(1000 * e.truth_noise.position_m) + " mm, " + rounded(deg(e.truth_noise.rotation_rad)) +
+         " deg" + hidden + "\n" + judgement_table(e.judgement);
 }
 
 std::string describe(const TrajectoryFacts& t) {

@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kFewestPoints = 3;  // a similarity fits any two points exactly
+constexpr int kMinPoints = 3;  // a similarity fits any two points exactly
 // Share of the distance from the origin: closer points differ only by rounding.
 constexpr double kCoincide = 1e-9;
 
@@ -26,7 +26,7 @@ double spread(const Points& points) {
 }
 
 std::optional<Sim3> fit_sim3(const Points& src, const Points& dst) {
-  if (src.cols() < kFewestPoints || coincide(src) || coincide(dst)) return std::nullopt;
+  if (src.cols() < kMinPoints || coincide(src) || coincide(dst)) return std::nullopt;
   const Eigen::Matrix4d M = Eigen::umeyama(src, dst, true);
   const double scale = M.topLeftCorner<3, 1>().norm();
   if (!(scale > 0) || !std::isfinite(scale)) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<Sim3> fit_sim3(const Points& src, const Points& dst) {
 }
 
 std::optional<Sim3> fit_se3(const Points& src, const Points& dst) {
-  if (src.cols() < kFewestPoints) return std::nullopt;
+  if (src.cols() < kMinPoints) return std::nullopt;
   const Eigen::Matrix4d M = Eigen::umeyama(src, dst, false);
   return Sim3{1.0, SE3(Eigen::Matrix3d(M.topLeftCorner<3, 3>()), M.topRightCorner<3, 1>())};
 }

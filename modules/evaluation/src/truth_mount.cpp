@@ -12,14 +12,14 @@ namespace edgevo {
 namespace {
 
 constexpr int kIterations = 8;
-constexpr size_t kFewestMotions = 50;
+constexpr size_t kMinMotions = 50;
 constexpr double kPrior = 0.01;             // share of the measurements: what they leave open stays zero
 constexpr double kArmPrior = 1e-3;          // less than a turn of 2 degrees says about the arm
 constexpr double kLargestTurn = M_PI / 12;  // more is another convention of axes, not a mount
-constexpr double kLeastGain = 2.0 / 3;      // of the median error
-constexpr double kMostTurnLoss = 1.1;       // of the median error of the rotations: they must fit as before
+constexpr double kMinGain = 2.0 / 3;        // of the median error
+constexpr double kMaxTurnLoss = 1.1;        // of the median error of the rotations: they must fit as before
 constexpr double kTurnNoise = 1e-4;         // radians
-constexpr double kLeastError = 1e-3;        // of the median length: no weight is infinite
+constexpr double kMinError = 1e-3;          // of the median length: no weight is infinite
 
 struct Motion {
   SE3 camera, body;  // camera: in metres
@@ -101,7 +101,7 @@ Eigen::Vector3d fit_arm(const std::vector<Motion>& motions, const std::vector<do
 
 SE3 truth_mount(const JudgedRun& run, const StepScale& scales, int ahead, int scale_steps, int fewest_steps) {
   const std::vector<Motion> motions = motions_of(run, scales, ahead, scale_steps, fewest_steps);
-  if (motions.size() < kFewestMotions) return {};
+  if (motions.size() < kMinMotions) return {};
   std::vector<double> lengths;
   for (const Motion& m : motions) lengths.push_back(m.body.translation().norm());
   const double length_m = median(std::move(lengths));
@@ -109,15 +109,15 @@ SE3 truth_mount(const JudgedRun& run, const StepScale& scales, int ahead, int sc
   SE3 mount;
   for (int k = 0; k < kIterations; ++k) {
     std::vector<double> weights = errors_of(motions, mount);
-    for (double& w : weights) w = 1 / std::max({w, kLeastError * length_m, 1e-12});
+    for (double& w : weights) w = 1 / std::max({w, kMinError * length_m, 1e-12});
     const Eigen::Matrix3d R = fit_rotation(motions, weights, length_m, mount.translation());
     mount = SE3(R, fit_arm(motions, weights, R));
   }
-  const bool is_better = median(errors_of(motions, mount)) <= kLeastGain * before;
+  const bool is_better = median(errors_of(motions, mount)) <= kMinGain * before;
   const bool is_usual = mount.is_finite() && mount.angle() <= kLargestTurn;
   if (!is_usual || !is_better) return {};
   const bool fits_turns =
-      median_turn_error(motions, mount) <= kMostTurnLoss * median_turn_error(motions, {}) + kTurnNoise;
+      median_turn_error(motions, mount) <= kMaxTurnLoss * median_turn_error(motions, {}) + kTurnNoise;
   return fits_turns ? mount : SE3();
 }
 

@@ -10,7 +10,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kFewestSamples = 8;
+constexpr size_t kMinSamples = 8;
 // Standard deviation of 1 -3 3 -1 applied to white noise.
 const double kThirdDifference = std::sqrt(20.0);
 constexpr double kMedianOfNormal = 0.6745;  // median of the absolute value of a standard normal
@@ -28,7 +28,7 @@ double noise_of(const std::vector<Eigen::Vector3d>& steps) {
 }  // namespace
 
 TruthNoise truth_noise(const Trajectory& truth) {
-  if (truth.poses.size() < kFewestSamples) return {};
+  if (truth.poses.size() < kMinSamples) return {};
   std::vector<Eigen::Vector3d> moves, turns;
   for (size_t i = 1; i < truth.poses.size(); ++i) {
     const SE3 &a = truth.poses[i - 1].T_world_cam, &b = truth.poses[i].T_world_cam;

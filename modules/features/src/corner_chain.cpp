@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kNoisePx = 0.4;       // of a followed corner, in each direction
 constexpr double kDepthNoisePx = 0.8;  // of a measured depth: also anchor, pose and drift of the patch
-constexpr int kFewestToStart = 20, kFewestToGoOn = 12, kMostFailures = 5;
+constexpr int kMinToStart = 20, kMinToGoOn = 12, kMaxFailures = 5;
 constexpr double kKnownDepth = 0.25;  // relative standard deviation
 constexpr double kGuess = 1e4;        // factor on the variance of a depth that is not known
-constexpr double kMostError = 3;      // whitened
-constexpr int kMostMisses = 3;
-constexpr double kLeastDepth = 0.05;  // over the depth in the anchor
-constexpr double kLeastAgreeing = 0.3;
+constexpr double kMaxError = 3;       // whitened
+constexpr int kMaxMisses = 3;
+constexpr double kMinDepth = 0.05;  // over the depth in the anchor
+constexpr double kMinShareToGoOn = 0.3;
 // Information of a depth counts as at most so many of its best measurements: they share the anchor's error.
 constexpr double kIndependent = 3;
 // Widths of the robust kernel, whitened, from coarse to fine.
@@ -59,17 +59,17 @@ CornerChain::Sight CornerChain::predict(const Corner& c, const SE3& T_cam_path) 
   // A depth that is only guessed has no say: many guesses would make a unit.
   const double noise = kNoisePx * kNoisePx, variance = (is_known(c) ? 1 : kGuess) / c.information;
   Eigen::Vector3d X = far + c.idepth * t;
-  if (!(X.z() > kLeastDepth)) return s;
+  if (!(X.z() > kMinDepth)) return s;
   const auto slope_at = [&] {
     return Eigen::Vector2d(pinhole_.fx * (t.x() - X.x() / X.z() * t.z()) / X.z(),
                            pinhole_.fy * (t.y() - X.y() / X.z() * t.z()) / X.z());
   };
   const Eigen::Vector2d slope = slope_at(), off = c.px - pinhole_.project(X);
   const double change = variance * slope.dot(off) / (noise + variance * slope.squaredNorm());
-  const double most = kMostError * std::sqrt(variance);
+  const double most = kMaxError * std::sqrt(variance);
   s.idepth = std::max(0.0, c.idepth + std::clamp(change, -most, most));
   X = far + s.idepth * t;
-  if (!(X.z() > kLeastDepth)) return s;
+  if (!(X.z() > kMinDepth)) return s;
   s.is_visible = true;
   s.slope = slope_at();
   s.px = pinhole_.project(X) + (c.idepth - s.idepth) * s.slope;
@@ -104,7 +104,7 @@ CornerChain::Fit CornerChain::linearise(const SE3& T_cam_path, double width) con
     const Eigen::Matrix<double, 6, 2> JW = w * s.J.transpose() * s.weight;
     f.H.noalias() += JW * s.J;
     f.b.noalias() += JW * e;
-    f.agreeing += r2 < kMostError * kMostError;
+    f.agreeing += r2 < kMaxError * kMaxError;
     errors.push_back(r2);
   }
   // Of a squared residual of two directions the median is 1.39.
@@ -142,7 +142,7 @@ std::optional<CornerChain::Fit> CornerChain::best_fit(const std::vector<SE3>& st
   }
   if (!from) return best;
   const Fit f = fit(*from, *from);
-  if (f.T_cam_path.is_finite() && f.agreeing >= kFewestToGoOn && f.agreeing >= kLeastAgreeing * f.seen)
+  if (f.T_cam_path.is_finite() && f.agreeing >= kMinToGoOn && f.agreeing >= kMinShareToGoOn * f.seen)
     best = f;
   return best;
 }
@@ -166,8 +166,8 @@ void CornerChain::drop_outliers(double noise) {
     const Sight s = predict(c, T_cam_path_);
     c.error = 1e9;
     if (s.is_visible) c.error = std::sqrt((c.px - s.px).dot(s.weight * (c.px - s.px)));
-    c.misses = c.error > kMostError * noise ? c.misses + 1 : 0;
-    if (c.misses < kMostMisses)
+    c.misses = c.error > kMaxError * noise ? c.misses + 1 : 0;
+    if (c.misses < kMaxMisses)
       kept.push_back(c);
     else
       rejected_.push_back(c.id);
@@ -249,7 +249,7 @@ std::vector<ExpectedCorner> CornerChain::expect(const std::optional<SE3>& T_cur_
   for (const Corner& c : corners_) {
     const SE3 T = step * T_cam_path_ * c.T_anchor_path.inverse();
     const Eigen::Vector3d X = T.rotation() * c.ray + c.idepth * T.translation();
-    if (!(X.z() > kLeastDepth)) continue;
+    if (!(X.z() > kMinDepth)) continue;
     const Eigen::Vector2d px = pinhole_.project(X);
     if (pinhole_.contains(px)) expected.push_back({c.id, px.cast<float>()});
   }
@@ -278,14 +278,14 @@ ChainStep CornerChain::add(const CornerView& view, const std::optional<SE3>& T_c
 
   // Also before depths are known: then corners show rotation and direction, and the odometry the length.
   std::optional<Fit> found;
-  if (int(corners_.size()) >= kFewestToGoOn) found = best_fit(starts);
+  if (int(corners_.size()) >= kMinToGoOn) found = best_fit(starts);
   const SE3 last = T_cam_path_;
   T_cam_path_ = found ? found->T_cam_path : starts.front();
   velocity_ = T_cam_path_ * last.inverse();
   if (found) {
     failures_ = 0;
     drop_outliers(found->noise);
-  } else if (++failures_ >= kMostFailures || (!is_running_ && !T_cur_last)) {
+  } else if (++failures_ >= kMaxFailures || (!is_running_ && !T_cur_last)) {
     // Nobody knows the motion: what the corners were goes with it.
     is_running_ = false;
     failures_ = 0;
@@ -296,7 +296,7 @@ ChainStep CornerChain::add(const CornerView& view, const std::optional<SE3>& T_c
     update_depths();
     add_corners(view.tracks);
   }
-  if (known_depths() >= kFewestToStart) is_running_ = true;
+  if (known_depths() >= kMinToStart) is_running_ = true;
   if (known_depths() > 0) step.median_depth = 1 / median_idepth();
   return step;
 }

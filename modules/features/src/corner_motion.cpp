@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/features/corner_tracking.h"
 #include "edgevo/features/two_view_motion.h"
 
@@ -60,7 +61,7 @@ std::optional<CornerMotion> find_corner_motion(const Pinhole& pinhole, const Fra
                         [&](const auto& a, const auto& b) { return agreeing(a) < agreeing(b); });
   const bool few =
       agreeing(best) < std::max(double(params.min_agreeing), kMinAgreeingShare * double(first.size()));
-  if (few || best.parallax_rad < kMinParallaxDeg * M_PI / 180) return std::nullopt;
+  if (few || best.parallax_rad < rad(kMinParallaxDeg)) return std::nullopt;
   CornerMotion motion;
   motion.T_to_from = best.T_last_first;
   for (size_t i = 0; i < first.size(); ++i)

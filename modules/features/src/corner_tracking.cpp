@@ -28,7 +28,7 @@ constexpr int kLevelsBack = 1;  // when following back, the start is known
 // Side of the compared patch; OpenCV's default, like the next two.
 constexpr int kPatchPx = 21;
 constexpr int kMaxIterations = 30;
-constexpr double kLeastStepPx = 0.01;
+constexpr double kMinStepPx = 0.01;
 // Standard deviation of a followed corner along the stronger gradient of its patch, pixels: the median
 // distance from the epipolar line is 0.13 to 0.47 px, over the large motions of a walk through tiled rooms.
 constexpr double kFollowedPx = 0.2;
@@ -91,7 +91,7 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
   const bool is_predicted = !to->empty();
   const int flags = is_predicted ? cv::OPTFLOW_USE_INITIAL_FLOW : 0;
   const cv::Size window(kPatchPx, kPatchPx);
-  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations, kLeastStepPx);
+  const cv::TermCriteria stop(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, kMaxIterations, kMinStepPx);
   std::vector<uchar> ok, ok_back;
   // The differences that are left are not needed; they cost as much as two iterations.
   cv::calcOpticalFlowPyrLK(image_from, image_to, from, *to, ok, cv::noArray(), window, kLevels, stop, flags);

@@ -12,11 +12,11 @@ namespace edgevo {
 namespace {
 
 // The finest level with at most so many pixels: half of 1241x376 and of 640x480, all of 300x300.
-constexpr int kMostPixels = 130000;
-constexpr int kWanted = 80, kMostWanted = 200;
+constexpr int kMaxPixels = 130000;
+constexpr int kWanted = 80, kMaxWanted = 200;
 // Corners are sought again after that many frames if some are lost, at once where too few are left. Fewer
-// than kFew of known depth are too few.
-constexpr int kFramesBetween = 4, kFew = 40;
+// than kMin of known depth are too few.
+constexpr int kFramesBetween = 4, kMin = 40;
 constexpr float kBorderPx = 4;
 // Least quality of a new corner relative to the strongest: low, so that they cover the image.
 constexpr double kQuality = 0.01;
@@ -33,7 +33,7 @@ void CornerTracks::choose_level(const FramePyramid& frame) {
   const auto pixels = [&](int l) {
     return frame.levels[size_t(l)].pinhole.width * frame.levels[size_t(l)].pinhole.height;
   };
-  while (level_ + 1 < int(frame.levels.size()) && pixels(level_) > kMostPixels) ++level_;
+  while (level_ + 1 < int(frame.levels.size()) && pixels(level_) > kMaxPixels) ++level_;
   view_.pinhole = frame.levels[size_t(level_)].pinhole;
 }
 
@@ -48,8 +48,8 @@ void CornerTracks::follow(const std::shared_ptr<const FramePyramid>& pyramid,
   ++frames_since_refill_;
   const int left = int(view_.tracks.size());
   // At large motion many corners are lost at once: so many are sought that enough last.
-  if (had > 0) wanted_ = std::clamp(wanted_ * kFew / std::max(1, left), kWanted, kMostWanted);
-  if (left < kFew + kFew / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
+  if (had > 0) wanted_ = std::clamp(wanted_ * kMin / std::max(1, left), kWanted, kMaxWanted);
+  if (left < kMin + kMin / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
     refill(before_->levels()[1]);
   drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
 }

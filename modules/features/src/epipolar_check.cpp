@@ -8,8 +8,8 @@ namespace edgevo {
 namespace {
 
 constexpr int kFramesApart = 8;
-constexpr int kFewestOld = 10;
-constexpr double kMostPx = 1.5;  // of the level that corners are followed in
+constexpr int kMinOld = 10;
+constexpr double kMaxPx = 1.5;  // of the level that corners are followed in
 
 // Distance of `px` from the image of all points in front of a camera that lie on its `ray`.
 double distance_px(const Pinhole& pinhole, const SE3& T_cur_view, const Eigen::Vector3d& ray,
@@ -47,10 +47,10 @@ double EpipolarCheck::add(const CornerView& view, const SE3& T_cam_odometry) {
     if (!seen.has_older) continue;
     ++old;
     agreeing += distance_px(view.pinhole, T_cam_odometry * seen.older.T_cam_odometry.inverse(),
-                            seen.older.ray, px) < kMostPx;
+                            seen.older.ray, px) < kMaxPx;
   }
   seen_ = std::move(now);
-  return old < kFewestOld ? std::numeric_limits<double>::quiet_NaN() : double(agreeing) / old;
+  return old < kMinOld ? std::numeric_limits<double>::quiet_NaN() : double(agreeing) / old;
 }
 
 }  // namespace edgevo

@@ -4,16 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include "edgevo/core/angle.h"
 
 namespace edgevo {
 namespace {
 
 constexpr int kNow = 10, kBefore = 50;  // frames
-constexpr int kFewest = 5;              // frames of a window that were measured, at least, and
-constexpr double kLeastMeasured = 0.7;  // share of them
+constexpr int kMinFrames = 5;           // frames of a window that were measured, at least, and
+constexpr double kMinMeasured = 0.7;    // share of them
 // The unit of the corners drifts from image to image by this over the number of corners that agree.
 constexpr double kDriftOfUnit = 0.4;
-constexpr double kDegrees = 180 / M_PI;
 
 double translation_sigma(const ChainStep& step) {
   return std::sqrt(std::max(0.0, step.covariance.topLeftCorner<3, 3>().trace()));
@@ -47,7 +47,7 @@ std::optional<MotionComparison::Ratio> MotionComparison::ratio(int first, int la
     variance += sigma * sigma;
     ++n;
   }
-  if (n < kFewest || n < kLeastMeasured * (last - first + 1)) return std::nullopt;
+  if (n < kMinFrames || n < kMinMeasured * (last - first + 1)) return std::nullopt;
   const double extent_c = squares_c / n - (sum_c / n).squaredNorm(),
                extent_o = squares_o / n - (sum_o / n).squaredNorm();
   variance /= n;
@@ -127,15 +127,14 @@ void MotionComparison::compare_rotation(CornerEvidence* evidence) const {
   const auto rotation_variance = [](const ChainStep& s) {
     return s.covariance.bottomRightCorner<3, 3>().trace();
   };
-  evidence->rotation_deg = kDegrees * c.rotation().angularDistance(o.rotation());
-  evidence->rotation_sigma_deg =
-      kDegrees * std::sqrt(rotation_variance(from.step) + rotation_variance(to.step));
+  evidence->rotation_deg = deg(c.rotation().angularDistance(o.rotation()));
+  evidence->rotation_sigma_deg = deg(std::sqrt(rotation_variance(from.step) + rotation_variance(to.step)));
   const double length = c.translation().norm();
   if (!(length > 0) || !(o.translation().norm() > 0)) return;
   const double cosine = c.translation().dot(o.translation()) / (length * o.translation().norm());
-  evidence->direction_deg = kDegrees * std::acos(std::clamp(cosine, -1.0, 1.0));
-  evidence->direction_sigma_deg = std::min(
-      180.0, kDegrees * std::hypot(translation_sigma(from.step), translation_sigma(to.step)) / length);
+  evidence->direction_deg = deg(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  evidence->direction_sigma_deg =
+      std::min(180.0, deg(std::hypot(translation_sigma(from.step), translation_sigma(to.step))) / length);
 }
 
 }  // namespace edgevo

@@ -21,13 +21,13 @@ namespace {
 constexpr int kSide = 9, kPixels = kSide * kSide;
 constexpr int kFramed = kSide + 2;  // with a pixel around for the gradient
 constexpr int kLevels = 4, kIterations = 8;
-constexpr float kLeastStepPx = 0.03f;
-constexpr float kTurnsBackPx = 0.01f;     // two steps that cancel
-constexpr float kLeastEigenvalue = 0.2f;  // of the mean squared gradient, (gray level/px)^2
+constexpr float kMinStepPx = 0.03f;
+constexpr float kTurnsBackPx = 0.01f;   // two steps that cancel
+constexpr float kMinEigenvalue = 0.2f;  // of the mean squared gradient, (gray level/px)^2
 // Largest mean difference of gray values of a patch that was followed.
 constexpr float kMaxDifference = 25;
 // Standard deviation of the gray values that images are brought to, and the least that is taken for contrast.
-constexpr double kUsualContrast = 60, kLeastContrast = 4, kUsualMean = 128;
+constexpr double kUsualContrast = 60, kMinContrast = 4, kUsualMean = 128;
 
 constexpr int kAtOnce = 8, kBlocks = (kPixels + kAtOnce - 1) / kAtOnce;
 using Floats8 = float __attribute__((vector_size(4 * kAtOnce)));
@@ -129,7 +129,7 @@ bool take_template(const FlowImage& image, int level, const Eigen::Vector2f& at,
   sum_gradient(t->across, t->down, sums);
   t->A << sums[0], sums[1], sums[1], sums[2];
   const float half = 0.5f * (sums[0] + sums[2]), off = std::hypot(0.5f * (sums[0] - sums[2]), sums[1]);
-  return half - off > kLeastEigenvalue * kPixels;
+  return half - off > kMinEigenvalue * kPixels;
 }
 
 enum class Search { kDone, kOutside };
@@ -145,7 +145,7 @@ Search search(const Template& t, const FlowImage& image, int level, Eigen::Vecto
     compare(t, shown, image.gain(), image.offset(), &m);
     const Eigen::Vector2f step = -inverse * Eigen::Vector2f(m.across, m.down);
     *at += step;
-    if (step.squaredNorm() <= kLeastStepPx * kLeastStepPx) break;
+    if (step.squaredNorm() <= kMinStepPx * kMinStepPx) break;
     if (i > 0 && (step + before).cwiseAbs().maxCoeff() < kTurnsBackPx) {
       *at -= 0.5f * step;
       break;
@@ -171,7 +171,7 @@ FlowImage::FlowImage(std::shared_ptr<const FramePyramid> frame, int level) : fra
   // Of the second level: enough pixels.
   cv::Scalar mean, deviation;
   cv::meanStdDev(as_mat(levels_[1]), mean, deviation);
-  gain_ = float(kUsualContrast / std::max(deviation[0], kLeastContrast));
+  gain_ = float(kUsualContrast / std::max(deviation[0], kMinContrast));
   offset_ = float(kUsualMean) - gain_ * float(mean[0]);
 }
 

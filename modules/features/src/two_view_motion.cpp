@@ -39,7 +39,7 @@ Eigen::Matrix<double, 3, 2> tangent_plane(const Eigen::Vector3d& t) {
 // Distance of the ray y from the epipolar line of x, on the image plane z = 1 of the last view.
 double epipolar_distance(const SE3& T, const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
   const Eigen::Vector3d line = T.translation().cross(T.rotation() * x);
-  return line.dot(y) / std::max(line.head<2>().norm(), kLeastLineLength);
+  return line.dot(y) / std::max(line.head<2>().norm(), kMinLineLength);
 }
 
 // Computes median error and parallax over all corners.
@@ -156,7 +156,7 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
       const Eigen::Vector3d Rx = T.rotation() * rays_first[i], &y = rays_last[i];
       const Eigen::Vector3d line = t.cross(Rx);
       // Fixed during a step.
-      const double scale = focal_px / std::max(line.head<2>().norm(), kLeastLineLength);
+      const double scale = focal_px / std::max(line.head<2>().norm(), kMinLineLength);
       const double r = scale * line.dot(y);
       Vector5d J;
       J << scale * Rx.cross(y.cross(t)), scale * B.transpose() * Rx.cross(y);

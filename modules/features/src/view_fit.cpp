@@ -19,7 +19,7 @@ constexpr double kMinCornerDepth = 1e-6;
 // there.
 constexpr double kFarIdepth = 1e-3;
 constexpr double kFollowedSigmaPx = 0.5;  // standard deviation of a corner that was followed
-constexpr double kMostErrorPx = 2;        // an outlier says no more than this
+constexpr double kMaxErrorPx = 2;         // an outlier says no more than this
 constexpr int kFitIterations = 20;
 
 Eigen::Vector3d ray_of(const Pinhole& pinhole, const cv::Point2f& px) { return pinhole.ray({px.x, px.y}); }
@@ -79,7 +79,7 @@ double limited_rms(const BaResult& result) {
   const size_t n = result.residual_normal_px.size();
   for (size_t k = 0; k < n; ++k) {
     const double error = std::hypot(result.residual_normal_px[k], result.residual_tangent_px[k]);
-    const double counted = result.observation_valid[k] ? std::min(error, kMostErrorPx) : kMostErrorPx;
+    const double counted = result.observation_valid[k] ? std::min(error, kMaxErrorPx) : kMaxErrorPx;
     sum += counted * counted;
   }
   return std::sqrt(sum / double(std::max<size_t>(n, 1)));

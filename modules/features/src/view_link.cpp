@@ -20,29 +20,29 @@ struct ViewFeatures {
 
 namespace {
 
-constexpr int kMostFeatures = 4000;
+constexpr int kMaxFeatures = 4000;
 // Best distance over second best of a match that is unmistakable.
 constexpr float kDistinct = 0.85F;
 constexpr double kRansacPx = 1.0, kLinkConfidence = 0.999;
-constexpr size_t kFewestMatches = 30;
-constexpr int kFewestAgreeing = 25;
+constexpr size_t kMinMatches = 30;
+constexpr int kMinAgreeing = 25;
 // Features with a depth on each side, at least: a median of fewer means little.
-constexpr size_t kFewestDepths = 8;
+constexpr size_t kMinDepths = 8;
 // A feature has the depth of the nearest map point within so many pixels.
 constexpr float kNearPx = 6;
 constexpr double kMaxRelativeSigma = 0.5;
 // Parallax of a feature from which its triangulated depth counts: ten times the noise of a match.
-constexpr double kLeastParallaxPx = 5;
+constexpr double kMinParallaxPx = 5;
 // Depths that share their map have common errors: no more certain than this.
-constexpr double kLeastSigma = 0.02, kMostSigma = 0.15;
+constexpr double kMinSigma = 0.02, kMaxSigma = 0.15;
 // A bent map still knows its unit better than equal speed does, whose logarithm is off by this.
-constexpr double kMostBend = 0.5;
+constexpr double kMaxBend = 0.5;
 
 ViewFeatures find_features(const FramePyramid& pyramid) {
   const Plane<uint8_t>& gray = pyramid.finest().gray;
   const cv::Mat image(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0)));
   ViewFeatures found;
-  const cv::Ptr<cv::SIFT> sift = cv::SIFT::create(kMostFeatures);
+  const cv::Ptr<cv::SIFT> sift = cv::SIFT::create(kMaxFeatures);
   sift->detect(image, found.points);
   const auto is_own = [&](const cv::KeyPoint& k) { return pyramid.is_own(k.pt.x, k.pt.y); };
   found.points.erase(std::remove_if(found.points.begin(), found.points.end(), is_own), found.points.end());
@@ -67,7 +67,7 @@ Eigen::Vector2f pixel(const cv::KeyPoint& k) { return {k.pt.x, k.pt.y}; }
 // alone.
 MatchedPixels match_features(const ViewFeatures& a, const ViewFeatures& b) {
   MatchedPixels matches;
-  if (a.points.size() < kFewestMatches || b.points.size() < kFewestMatches) return matches;
+  if (a.points.size() < kMinMatches || b.points.size() < kMinMatches) return matches;
   const std::vector<int> to_b = nearest(a.descriptors, b.descriptors);
   std::vector<size_t> found;  // in a
   cv::Mat ends;               // descriptors in b
@@ -114,7 +114,7 @@ std::vector<double> certain_ones(std::vector<Sample> samples) {
             [](const Sample& a, const Sample& b) { return a.sigma < b.sigma; });
   std::vector<double> logs;
   for (const Sample& s : samples)
-    if (s.sigma < kCertain || logs.size() < kFewestDepths) logs.push_back(s.log);
+    if (s.sigma < kCertain || logs.size() < kMinDepths) logs.push_back(s.log);
   return logs;
 }
 
@@ -125,13 +125,13 @@ struct LogRatio {
 };
 std::optional<LogRatio> median_ratio(std::vector<Sample> samples) {
   const std::vector<double> logs = certain_ones(std::move(samples));
-  if (logs.size() < kFewestDepths) return std::nullopt;
+  if (logs.size() < kMinDepths) return std::nullopt;
   const double middle = median(logs);
   std::vector<double> off;
   for (const double x : logs) off.push_back(std::abs(x - middle));
   const double spread = 1.4826 * median(std::move(off));  // a standard deviation, of normal errors
   const double sigma = 1.2533 * spread / std::sqrt(double(logs.size()));  // of a median
-  return LogRatio{middle, std::max(sigma, kLeastSigma), logs.size()};
+  return LogRatio{middle, std::max(sigma, kMinSigma), logs.size()};
 }
 
 // A feature that agrees with the motion.
@@ -145,7 +145,7 @@ double triangulated(const Feature& f, const SE3& T_b_a, double focal_px) {
   const Eigen::Vector3d Ra = T_b_a.rotation() * f.a;
   const Eigen::Vector3d across = f.b.cross(Ra);
   const double parallax = across.norm() / (f.b.norm() * Ra.norm());
-  if (focal_px * parallax < kLeastParallaxPx) return 0;
+  if (focal_px * parallax < kMinParallaxPx) return 0;
   const double z = -f.b.cross(T_b_a.translation()).dot(across) / across.squaredNorm();
   return z > 0 ? z : 0;
 }
@@ -169,7 +169,7 @@ Baselines measure_baseline(const std::vector<Feature>& features, const SE3& T_b_
 
 std::optional<ViewLink> made_link(const SE3& T_b_a, double length_in_a, double log, double sigma,
                                   size_t count) {
-  if (!(sigma < kMostSigma)) return std::nullopt;
+  if (!(sigma < kMaxSigma)) return std::nullopt;
   return ViewLink{SE3(T_b_a.rotation(), length_in_a * T_b_a.translation()), std::exp(log), sigma, int(count)};
 }
 
@@ -214,7 +214,7 @@ std::optional<ViewLink> link_by_baseline(const std::vector<Feature>& features, c
   std::optional<ViewLink> link = made_link(T_b_a, std::exp(a.log), lengths.log_ratio(),
                                            std::hypot(a.sigma, b.sigma), std::min(a.count, b.count));
   const double bend = bend_of_maps(features, T_b_a, focal_px);
-  if (!link || bend > kMostBend) return std::nullopt;
+  if (!link || bend > kMaxBend) return std::nullopt;
   link->sigma = std::max(link->sigma, bend);
   return link;
 }
@@ -236,7 +236,7 @@ std::optional<SE3> motion_of(const Pinhole& pinhole, const MatchedPixels& matche
   std::vector<cv::Point2f> a, b;
   for (const Eigen::Vector2f& p : matches.a) a.emplace_back(p.x(), p.y());
   for (const Eigen::Vector2f& p : matches.b) b.emplace_back(p.x(), p.y());
-  if (a.size() < kFewestMatches) return std::nullopt;
+  if (a.size() < kMinMatches) return std::nullopt;
   const cv::Mat K = camera_matrix(pinhole);
   cv::Mat R, t, found;
   const cv::Mat E = cv::findEssentialMat(a, b, K, cv::RANSAC, kLinkConfidence, kRansacPx, found);
@@ -244,7 +244,7 @@ std::optional<SE3> motion_of(const Pinhole& pinhole, const MatchedPixels& matche
   motion_of_essential(E, a, b, K, &R, &t, &found);
   const TwoViewMotion motion = refined_motion(pinhole, a, b, kRansacPx, to_se3(R, to_vector(t).normalized()));
   *agreeing = motion.inliers;
-  if (cv::countNonZero(*agreeing) < kFewestAgreeing) return std::nullopt;
+  if (cv::countNonZero(*agreeing) < kMinAgreeing) return std::nullopt;
   return motion.T_last_first;
 }
 

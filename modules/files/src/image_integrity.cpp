@@ -58,12 +58,12 @@ class PnmHeader {
 
   /// Next number; 0 if there is none or it is larger than in any image.
   uint64_t next() {
-    constexpr uint64_t kMost = 1 << 24;
+    constexpr uint64_t kMax = 1 << 24;
     skip_space();
     uint64_t value = 0;
-    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9' && value <= kMost; ++at_)
+    for (; at_ < bytes_.size() && bytes_[at_] >= '0' && bytes_[at_] <= '9' && value <= kMax; ++at_)
       value = 10 * value + uint64_t(bytes_[at_] - '0');
-    return value <= kMost ? value : 0;
+    return value <= kMax ? value : 0;
   }
   /// Offset of the pixels: one white space ends the header.
   uint64_t bytes_left() const { return at_ < bytes_.size() ? bytes_.size() - at_ - 1 : 0; }

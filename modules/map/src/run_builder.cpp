@@ -177,20 +177,20 @@ std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
 }
 
 double RunBuilder::times_usual_step(int frame_index, const SE3& T_world_cam) const {
-  constexpr size_t kSteps = 50, kFewest = 10, kMostFrames = 1000;
+  constexpr size_t kSteps = 50, kMin = 10, kMaxFrames = 1000;
   std::vector<double> steps;  // newest first; the first one leads to the frame
   int index = frame_index;
   Eigen::Vector3d position = T_world_cam.translation();
   bool stands = false;  // in the frame that the next step leads to
   size_t seen = 0;
   for (auto next = position_.lower_bound(frame_index);
-       next != position_.begin() && steps.size() <= kSteps && ++seen <= kMostFrames;) {
+       next != position_.begin() && steps.size() <= kSteps && ++seen <= kMaxFrames;) {
     const FrameRecord& f = row((--next)->second).frame;
     if (!f.T_world_cam_live) continue;
     if (!stands) steps.push_back((position - f.T_world_cam_live->translation()).norm() / (index - f.index));
     index = f.index, position = f.T_world_cam_live->translation(), stands = f.evidence.stands;
   }
-  if (steps.size() <= kFewest) return std::numeric_limits<double>::quiet_NaN();
+  if (steps.size() <= kMin) return std::numeric_limits<double>::quiet_NaN();
   const double step = steps.front();
   steps.erase(steps.begin());
   return step / quantile(std::move(steps), 0.5);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/random.h"
 #include "edgevo/features/corner_tracking.h"
@@ -281,7 +282,7 @@ struct Bootstrap::Impl {
       c.px_last = {b[i].x, b[i].y};
       const Eigen::Vector3d ray_a = pinhole.ray(c.px_first), ray_b = pinhole.ray(c.px_last);
       if (!triangulate(T_last_first, ray_a, ray_b, &c.idepth_first, &c.idepth_last)) continue;
-      t.parallax_deg.push_back(angle_between(T_last_first.R() * ray_a, ray_b) * 180.0 / M_PI);
+      t.parallax_deg.push_back(deg(angle_between(T_last_first.R() * ray_a, ray_b)));
       t.depths.push_back(1.0 / c.idepth_first);
       t.corners.push_back(c);
       t.index.push_back(int(i));

@@ -27,15 +27,15 @@ std::string grouped(int value) {
 
 // Cameras have 8, 10, 12, 14 or 16 bits.
 int bits_that_hold(int largest) {
-  for (int bits = kLeastBits; bits < kMostBits; bits += 2)
+  for (int bits = kMinBits; bits < kMaxBits; bits += 2)
     if (largest < 1 << bits) return bits;
-  return kMostBits;
+  return kMaxBits;
 }
 
 IntensityScale scale_of_bits(int bits) { return {0, double(1 << (bits - 8))}; }
 
 std::string name_of(int bits) {
-  return std::to_string(bits) + " bits" + (bits < kMostBits ? " in 16-bit images" : "");
+  return std::to_string(bits) + " bits" + (bits < kMaxBits ? " in 16-bit images" : "");
 }
 
 std::string largest_of(const IntensityCount& count, const std::string& origin) {
@@ -66,11 +66,11 @@ Intensities by_range(int low, int high, int bits, const std::string& origin) {
 }
 
 Intensities by_bits(const IntensityCount& count, const std::string& origin) {
-  const int bits = is_left_aligned_12(count) ? kMostBits : bits_that_hold(count.largest());
+  const int bits = is_left_aligned_12(count) ? kMaxBits : bits_that_hold(count.largest());
   InputDecision decision{"intensities", name_of(bits), largest_of(count, origin), ""};
   if (count.largest() == 0) {
-    decision = {"intensities", name_of(kMostBits), "", "all of " + origin + " are black; give --bits"};
-    return {scale_of_bits(kMostBits), decision};
+    decision = {"intensities", name_of(kMaxBits), "", "all of " + origin + " are black; give --bits"};
+    return {scale_of_bits(kMaxBits), decision};
   }
   if (is_left_aligned_12(count)) {
     decision.value = "12 bits in the upper ones of 16";
@@ -78,13 +78,13 @@ Intensities by_bits(const IntensityCount& count, const std::string& origin) {
   }
   const int low = count.quantile(kDarkest), high = count.quantile(kBrightest);
   const IntensityScale scale = scale_of_bits(bits);
-  if (bits > kLeastBits && high > low && (high - low) / scale.per_level < kFewLevels)
+  if (bits > kMinBits && high > low && (high - low) / scale.per_level < kFewLevels)
     return by_range(low, high, bits, origin);
   return {scale, decision};
 }
 
 void check_bits(int bits) {
-  if (bits == 0 || (bits >= kLeastBits && bits <= kMostBits)) return;
+  if (bits == 0 || (bits >= kMinBits && bits <= kMaxBits)) return;
   throw InputError("--bits " + std::to_string(bits), "is out of range", "give 8 to 16");
 }
 
@@ -124,7 +124,7 @@ int IntensityCount::unused_low_bits() const {
   for (int value = 0; value < kValues; ++value)
     if (count_[size_t(value)] > 0) used |= unsigned(value);
   int unused = 0;
-  while (unused < kMostBits && (used >> unused & 1) == 0) ++unused;
+  while (unused < kMaxBits && (used >> unused & 1) == 0) ++unused;
   return unused;
 }
 

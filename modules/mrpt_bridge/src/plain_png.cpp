@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
 // Of a chunk: length, type and checksum, in bytes.
 constexpr size_t kAround = 12;
-constexpr uint32_t kMostPixels = 1 << 28;
+constexpr uint32_t kMaxPixels = 1 << 28;
 
 uint32_t big_endian(const char* at) {
   uint32_t value = 0;
@@ -47,7 +47,7 @@ bool read_header(std::string_view data, PlainPng* png) {
     return false;
   png->width = big_endian(data.data()), png->height = big_endian(data.data() + 4);
   png->channels = colour == kRgb ? 3 : 1;
-  return png->width > 0 && png->height > 0 && uint64_t(png->width) * png->height <= kMostPixels;
+  return png->width > 0 && png->height > 0 && uint64_t(png->width) * png->height <= kMaxPixels;
 }
 
 std::optional<PlainPng> read_chunks(std::string_view bytes) {

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/clock_shifts.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/time_order.h"
@@ -24,13 +25,13 @@ using namespace mrpt::obs;
 // From the centre of the earth, metres: WGS84's ellipsoid, by its radius at the equator (metres) and its
 // flattening.
 Eigen::Vector3d earth_centred(double latitude_deg, double longitude_deg, double height_m) {
-  constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563, kRadian = M_PI / 180;
+  constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563;
   constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
-  const double sin_lat = std::sin(latitude_deg * kRadian), cos_lat = std::cos(latitude_deg * kRadian);
+  const double sin_lat = std::sin(rad(latitude_deg)), cos_lat = std::cos(rad(latitude_deg));
   const double across =
       kEquator / std::sqrt(1 - kEccentricity2 * sin_lat * sin_lat);  // radius of the prime vertical
-  return {(across + height_m) * cos_lat * std::cos(longitude_deg * kRadian),
-          (across + height_m) * cos_lat * std::sin(longitude_deg * kRadian),
+  return {(across + height_m) * cos_lat * std::cos(rad(longitude_deg)),
+          (across + height_m) * cos_lat * std::sin(rad(longitude_deg)),
           (across * (1 - kEccentricity2) + height_m) * sin_lat};
 }
 

@@ -15,7 +15,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int64_t kMostCells = int64_t(1) << 28;  // 256 MB
+constexpr int64_t kMaxCells = int64_t(1) << 28;  // 256 MB
 // Gray values as written by ROS map_saver; occupied is 0.
 constexpr uint8_t kGrayFree = 254, kGrayUnknown = 205;
 
@@ -61,8 +61,8 @@ OccupancyGrid empty_grid(const octomap::OcTree& tree) {
   const auto cells = [&](int axis) {
     return std::max<int64_t>(1, std::llround((high[axis] - low[axis]) / grid.resolution));
   };
-  const double least = grid.resolution * std::sqrt(double(cells(0) * cells(1)) / double(kMostCells));
-  if (cells(0) * cells(1) > kMostCells)
+  const double least = grid.resolution * std::sqrt(double(cells(0) * cells(1)) / double(kMaxCells));
+  if (cells(0) * cells(1) > kMaxCells)
     throw InputError("grid", "would have " + std::to_string(cells(0) * cells(1)) + " cells",
                      "give a resolution of " + fixed(1.01 * least, 6) + " or more");
   grid.width = int(cells(0)), grid.height = int(cells(1));

@@ -15,14 +15,14 @@
 namespace edgevo {
 namespace {
 
-constexpr double kReach = 32768;      // voxels from the origin that octomap's keys reach
-constexpr double kMostSamples = 2e6;  // along all rays: half a second
+constexpr double kReach = 32768;     // voxels from the origin that octomap's keys reach
+constexpr double kMaxSamples = 2e6;  // along all rays: half a second
 // Measured on maps of 0.2 to 20 million voxels, including the copy for .bt.
 constexpr double kBytesPerVoxel = 110;
 constexpr double kOutsideShare = 0.01;  // share of the points: outliers lie anywhere
-constexpr double kMostGridCells = 2e8;  // below what make_grid() refuses
+constexpr double kMaxGridCells = 2e8;   // below what make_grid() refuses
 constexpr double kCoarser = 1.5;        // from one resolution that is tried to the next
-constexpr int kMostTries = 200;
+constexpr int kMaxTries = 200;
 constexpr double kUsableShare = 0.8;  // share of the free memory; the run and other programs need the rest
 
 // A ray from the camera to a point, in the world of the map.
@@ -88,7 +88,7 @@ struct Growth {
 
 Growth growth_of(const std::vector<MapRay>& rays, double resolution) {
   Growth growth;
-  growth.cell = std::max(resolution, 2 * total_length(rays) / kMostSamples);
+  growth.cell = std::max(resolution, 2 * total_length(rays) / kMaxSamples);
   growth.cells = crossed_cells(rays, growth.cell);
   const double coarser = std::max(1.0, crossed_cells(rays, 2 * growth.cell));
   growth.power = std::clamp(std::log2(growth.cells / coarser), 1.0, 3.0);
@@ -179,11 +179,11 @@ std::string coarsen_to_fit(const Run& run, double free_bytes, OccupancyParams* p
   const double voxels = kUsableShare * free_bytes / kBytesPerVoxel;
   const auto fits = [&](double resolution) {
     return outside_share(rays, kReach * resolution) <= kOutsideShare &&
-           grid_cells(rays, resolution) <= kMostGridCells &&
+           grid_cells(rays, resolution) <= kMaxGridCells &&
            (most_voxels(rays, resolution) <= voxels || growth_of(rays, resolution).at(resolution) <= voxels);
   };
   double resolution = lengths.resolution;
-  for (int tries = 0; tries < kMostTries && !fits(resolution); ++tries) resolution *= kCoarser;
+  for (int tries = 0; tries < kMaxTries && !fits(resolution); ++tries) resolution *= kCoarser;
   if (resolution == lengths.resolution) return {};
   params->resolution = fixed(rounded_up(resolution), 9);
   return "voxels of " + length_text(rounded_up(resolution)) + " instead of " +

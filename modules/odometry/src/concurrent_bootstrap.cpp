@@ -10,9 +10,9 @@ namespace edgevo {
 namespace {
 // More than arrive during an attempt, so that none is lost unless following the corners takes longer than a
 // frame.
-constexpr size_t kMostQueued = 12;
+constexpr size_t kMaxQueued = 12;
 // Frames that are only followed between two attempts of a search that is behind.
-constexpr int kMostFollowed = 3;
+constexpr int kMaxFollowed = 3;
 }  // namespace
 
 ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params,
@@ -61,7 +61,7 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
 void ConcurrentBootstrap::add(Waiting frame) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (queue_.size() >= kMostQueued) queue_.pop_front();
+    if (queue_.size() >= kMaxQueued) queue_.pop_front();
     queue_.push_back(std::move(frame));
   }
   wake_.notify_all();
@@ -96,7 +96,7 @@ void ConcurrentBootstrap::search() {
     if (stop_) return;
     const Waiting frame = std::move(queue_.front());
     queue_.pop_front();
-    const bool attempt = queue_.empty() || followed >= kMostFollowed;
+    const bool attempt = queue_.empty() || followed >= kMaxFollowed;
     followed = attempt ? 0 : followed + 1;
     const bool was_reset = std::exchange(is_reset_, false);
     lock.unlock();

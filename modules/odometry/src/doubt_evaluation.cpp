@@ -18,9 +18,9 @@ constexpr double kSigmasOfKnownUnit = 2.5;
 // too small.
 std::optional<ViewLink> first_link(const Pinhole& pinhole, const std::vector<SureView>& before,
                                    const SureView& now) {
-  constexpr size_t kMostViews = 4;
+  constexpr size_t kMaxViews = 4;
   const LinkableView to(now.reference->cloud);
-  for (size_t i = 0; i < std::min(before.size(), kMostViews); ++i)
+  for (size_t i = 0; i < std::min(before.size(), kMaxViews); ++i)
     if (const auto link = LinkableView(before[i].reference->cloud).link_to(pinhole, to)) return link;
   return std::nullopt;
 }

@@ -191,7 +191,7 @@ void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE
   focal->add(corners->followed(), T_cur_last, now.pyramid->correction);
   if (const std::optional<FocalError> found = focal->error()) {
     const double in_use = 1 + now.pyramid->correction.focal;
-    evidence.focal_error = (1 + found->value) / in_use - 1,
+    evidence.focal_error = (1 + found->value) / in_use - 1;
     evidence.focal_error_sigma = found->sigma / in_use;
   }
 }

@@ -64,7 +64,7 @@ std::vector<MapVertex> map_lines(const Run& run) {
 std::string draw(const MapView& all) {
   if (all.vertices.empty() && all.path.empty()) return "";
   MapView view = all;
-  view.vertices = thinned(all.vertices, kMostMapVertices);
+  view.vertices = thinned(all.vertices, kMaxMapVertices);
   return "<div class=\"map3d\">\n" + std::string(assets::kMapViewHtml) +
          note_html(count_statement(view.vertices.size(), all.vertices.size())) +
          "<script type=\"application/json\">" + packed(view) + "</script>\n</div>\n" +

@@ -21,7 +21,7 @@ WriterThread::~WriterThread() {
 void WriterThread::post(std::function<void()> task) {
   {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait(lock, [this] { return tasks_.size() < kMost; });
+    changed_.wait(lock, [this] { return tasks_.size() < kMax; });
     rethrow();
     tasks_.push_back(std::move(task));
   }

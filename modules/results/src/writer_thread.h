@@ -19,14 +19,14 @@ class WriterThread {
   WriterThread(const WriterThread&) = delete;
   WriterThread& operator=(const WriterThread&) = delete;
 
-  /// Adds a task. Waits while kMost tasks are waiting: a disk that is too slow for long holds the run up.
+  /// Adds a task. Waits while kMax tasks are waiting: a disk that is too slow for long holds the run up.
   /// Throws what an earlier task has thrown, once; after that no task runs.
   void post(std::function<void()> task);
   /// Waits for all tasks. Throws like post().
   void wait();
 
   /// Tasks that may wait: two a frame, so a second of a camera.
-  static constexpr size_t kMost = 60;
+  static constexpr size_t kMax = 60;
 
  private:
   void loop();

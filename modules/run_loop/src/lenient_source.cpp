@@ -7,7 +7,7 @@ namespace edgevo {
 namespace {
 
 // Frames without a usable time at the start before a source is taken to have none at all.
-constexpr size_t kMostBadFirst = 10;
+constexpr size_t kMaxBadFirst = 10;
 
 // "WHERE: WHAT; REMEDY" without the remedy.
 std::string without_remedy(const std::string& message) { return message.substr(0, message.rfind("; ")); }
@@ -35,7 +35,7 @@ std::optional<Frame> LenientSource::next_in_order() {
       return frame;
     } catch (const BadFrame& e) {
       const bool is_bad_time = e.what_is_bad() == BadFrame::What::kTime;
-      if (!good_came_ && (!is_bad_time || waiting_.size() == kMostBadFirst)) throw;
+      if (!good_came_ && (!is_bad_time || waiting_.size() == kMaxBadFirst)) throw;
       const std::lock_guard<std::mutex> lock(mutex_);
       reasons_[e.index()] = without_remedy(e.what());
       Frame bad{e.index(), e.time(), {}, {}};

@@ -35,7 +35,7 @@ struct RunLoop {
 };
 
 // Skipped frames that are logged one by one.
-constexpr int kMostSaid = 10;
+constexpr int kMaxSaid = 10;
 
 void log(const RunLoop& loop, const Frame& frame, const std::string& what) {
   if (loop.options.log) loop.options.log("frame " + std::to_string(frame.index) + ": " + what);
@@ -45,8 +45,8 @@ FrameRecord skip_bad_frame(const RunLoop& loop, const Frame& frame) {
   const std::string reason = loop.source.take_reason(frame.index);
   if (loop.result->skipped++ == 0) loop.result->first_skipped = reason;
   const std::string note = "left out: " + reason;
-  if (loop.result->skipped <= kMostSaid) log(loop, frame, note);
-  if (loop.result->skipped == kMostSaid) log(loop, frame, "further skipped frames are noted in frames.csv");
+  if (loop.result->skipped <= kMaxSaid) log(loop, frame, note);
+  if (loop.result->skipped == kMaxSaid) log(loop, frame, "further skipped frames are noted in frames.csv");
   return loop.odometry.skip(frame, note);
 }
 

@@ -19,10 +19,10 @@ constexpr double kMaxPathPerDistance = 2;  // a point not passed after twice the
 // The direction of travel is taken over at least this many heights to each side.
 constexpr double kDirectionHeights = 0.5;
 constexpr int kDirectionFrames = 2;  // and over at least this many frames
-constexpr double kLeastChord = 0.5;  // of that reach: below this the camera is at rest or in pure rotation
+constexpr double kMinChord = 0.5;    // of that reach: below this the camera is at rest or in pure rotation
 // Sine of the angle between the direction of travel and the camera's downward direction: below this the
 // camera looks up or down, or climbs.
-constexpr double kLeastLevel = 0.5;
+constexpr double kMinLevel = 0.5;
 constexpr double kLevel = 0.0175;   // radians: a degree
 constexpr double kNearHeights = 4;  // a point further away is not passed yet
 
@@ -42,11 +42,11 @@ std::optional<PathAxes> path_axes(const Path& path, const Eigen::Vector3d& down_
   while (a > 0 && !far_enough(a)) --a;
   while (b + 1 < path.size() && !far_enough(b)) ++b;
   const Eigen::Vector3d chord = path[b].T_world_cam.translation() - path[a].T_world_cam.translation();
-  if (chord.norm() < kLeastChord * reach) return std::nullopt;
+  if (chord.norm() < kMinChord * reach) return std::nullopt;
   const Eigen::Vector3d forward = chord.normalized();
   const Eigen::Vector3d y = path[j].T_world_cam.R() * down_in_camera;
   const Eigen::Vector3d down = y - y.dot(forward) * forward;
-  if (down.norm() < kLeastLevel) return std::nullopt;  // not a drive over ground
+  if (down.norm() < kMinLevel) return std::nullopt;  // not a drive over ground
   return PathAxes{forward, down.normalized()};
 }
 
@@ -112,10 +112,10 @@ std::optional<HeightSample> look_at(const Path& path, const Eigen::Vector3d& dow
 constexpr double kBin = 0.01, kSmoothing = 0.03;
 // Spread of log height: three of it hold 97 % of the ground points of a drive.
 constexpr double kWidth = 0.04;
-constexpr double kReachSigmas = 3;   // beyond it a normal weight is negligible
-constexpr int kMeanShifts = 20;      // more than the mean needs to converge
-constexpr double kLeastShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly
-                                     // up to the largest 0.3 to 0.4
+constexpr double kReachSigmas = 3;  // beyond it a normal weight is negligible
+constexpr int kMeanShifts = 20;     // more than the mean needs to converge
+constexpr double kMinShare = 0.5;   // of the samples near the mode: drives give 0.97, heights spread evenly
+                                    // up to the largest 0.3 to 0.4
 
 double histogram_peak(const std::vector<double>& logs) {
   const auto [low, high] = std::minmax_element(logs.begin(), logs.end());
@@ -155,7 +155,7 @@ struct Residual {
 // four intervals.
 double sigma_by_intervals(const std::vector<Residual>& residuals) {
   constexpr int kIntervals = 10;
-  constexpr size_t kFewest = 4;
+  constexpr size_t kMin = 4;
   const auto [first, last] =
       std::minmax_element(residuals.begin(), residuals.end(),
                           [](const auto& a, const auto& b) { return a.distance < b.distance; });
@@ -169,7 +169,7 @@ double sigma_by_intervals(const std::vector<Residual>& residuals) {
   std::vector<double> means;
   for (size_t i = 0; i < kIntervals; ++i)
     if (counts[i] > 0) means.push_back(sums[i] / counts[i]);
-  if (means.size() < kFewest) return std::numeric_limits<double>::infinity();
+  if (means.size() < kMin) return std::numeric_limits<double>::infinity();
   const double n = double(means.size());
   const double mean = std::accumulate(means.begin(), means.end(), 0.0) / n;
   double squares = 0;
@@ -225,8 +225,7 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   for (size_t i = 0; i < logs.size(); ++i)
     if (std::abs(logs[i] - mode) < kReachSigmas * kWidth)
       residuals.push_back({samples[i].distance, logs[i] - mode});
-  if (double(residuals.size()) < kLeastShare * double(logs.size()) ||
-      int(residuals.size()) < kMinGroundPoints)
+  if (double(residuals.size()) < kMinShare * double(logs.size()) || int(residuals.size()) < kMinGroundPoints)
     return std::nullopt;
   const double sigma = std::hypot(sigma_by_intervals(residuals), params.ground_sigma);
   if (!(sigma <= params.max_sigma)) return std::nullopt;

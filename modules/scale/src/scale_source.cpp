@@ -59,8 +59,8 @@ double positive(const std::string& option, const std::string& text, const Known&
     throw InputError("--scale " + option, "'" + text + "' is not a positive number",
                      std::string("give for example ") + known.example);
   // Beyond this, squared lengths leave the range of float, and cells the range of the octree's keys.
-  constexpr double kLeast = 1e-6, kMost = 1e6;
-  if (value < kLeast || value > kMost)
+  constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
+  if (value < kMinScale || value > kMaxScale)
     throw InputError("--scale " + option, "'" + text + "' is not between 0.000001 and 1000000",
                      std::string("give for example ") + known.example);
   return value;

@@ -5,24 +5,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/point_filter.h"
 
 namespace edgevo {
 namespace {
 
-constexpr double kRadian = kPi / 180;
-
 // ---- the direction of travel ----
 
-constexpr double kReach = 0.1;           // median depths to each side of a pose, for its direction of travel
-constexpr double kLeastPath = 3;         // median depths: less is no drive
-constexpr double kAlong = 12 * kRadian;  // a direction within this of the common one is along it
-constexpr double kLeastAlong = 0.7;      // share of the poses that moves along it
-constexpr double kHalfWeight = 3 * kRadian;  // deviation at which a direction counts half
+constexpr double kReach = 0.1;          // median depths to each side of a pose, for its direction of travel
+constexpr double kMinPath = 3;          // median depths: less is no drive
+constexpr double kAlong = rad(12);      // a direction within this of the common one is along it
+constexpr double kMinAlong = 0.7;       // share of the poses that moves along it
+constexpr double kHalfWeight = rad(3);  // deviation at which a direction counts half
 constexpr int kIterations = 20;
 // The part of a deviation that does not average out: slip in turns, a path that bends.
-constexpr double kTravelSigma = 0.3 * kRadian;
+constexpr double kTravelSigma = rad(0.3);
 constexpr double kPathPerSample = 1;  // median depths: nearer directions share their errors
 
 std::vector<Eigen::Vector3d> travel_directions(const Path& path, double reach) {
@@ -59,15 +58,15 @@ Eigen::Vector3d common_direction(const std::vector<Eigen::Vector3d>& directions)
 
 // ---- the ground ----
 
-constexpr double kNear = 1;                     // median depths: points further aside are not looked at
-constexpr int kDirections = 180;                // of the search, 2 degrees each
-constexpr double kSector = 45 * kRadian;        // to each side of a direction
-constexpr double kGroundBand = 0.06;            // relative half width of the ground in height
-constexpr int kLeastGround = 60;                // points
-constexpr double kMostOpposite = 0.5;           // of the ground's points, at one height opposite
-constexpr double kOppositeRatio = 1.5;          // of the heights
-constexpr double kLeastGroundShare = 0.75;      // of the points in the sector: drives give 0.96, walls 0.5
-constexpr double kGroundSigma = 0.7 * kRadian;  // camber and kerbs
+constexpr double kNear = 1;                // median depths: points further aside are not looked at
+constexpr int kDirections = 180;           // of the search, 2 degrees each
+constexpr double kSector = rad(45);        // to each side of a direction
+constexpr double kGroundBand = 0.06;       // relative half width of the ground in height
+constexpr int kMinGround = 60;             // points
+constexpr double kMaxOpposite = 0.5;       // of the ground's points, at one height opposite
+constexpr double kOppositeRatio = 1.5;     // of the heights
+constexpr double kMinGroundShare = 0.75;   // of the points in the sector: drives give 0.96, walls 0.5
+constexpr double kGroundSigma = rad(0.7);  // camber and kerbs
 
 // A point as the camera passes it: its offset across the travel.
 using Offset = Eigen::Vector2d;  // down, right
@@ -135,7 +134,7 @@ GroundGuess ground_at(const std::vector<Offset>& offsets, double angle) {
     if (int(b - a) > best.points)
       best.points = int(b - a), best.height = std::exp(0.5 * (logs[a] + logs[b - 1]));
   }
-  best.is_flat = best.points >= kLeastGround && best.points >= kLeastGroundShare * in_sector;
+  best.is_flat = best.points >= kMinGround && best.points >= kMinGroundShare * in_sector;
   return best;
 }
 
@@ -143,7 +142,7 @@ GroundGuess ground_at(const std::vector<Offset>& offsets, double angle) {
 bool has_counterpart(const std::vector<Offset>& offsets, const GroundGuess& ground) {
   for (int i = -2; i <= 2; ++i) {
     const GroundGuess other = ground_at(offsets, ground.angle + kPi + i * kSector / 2);
-    if (other.points >= kMostOpposite * ground.points && other.height < kOppositeRatio * ground.height &&
+    if (other.points >= kMaxOpposite * ground.points && other.height < kOppositeRatio * ground.height &&
         ground.height < kOppositeRatio * other.height)
       return true;
   }
@@ -161,7 +160,7 @@ double level_ground(const std::vector<Offset>& offsets, GroundGuess* ground) {
       if (std::abs(y) > kGroundBand * ground->height || std::abs(x) > ground->height) continue;
       n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y, syy += y * y;
     }
-    if (n < kLeastGround / 2.0 || n * sxx - sx * sx <= 0) break;
+    if (n < kMinGround / 2.0 || n * sxx - sx * sx <= 0) break;
     const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx), spread = sxx / n - (sx / n) * (sx / n);
     ground->height += (sy - slope * sx) / n;
     ground->angle -= std::atan(slope);
@@ -173,12 +172,12 @@ double level_ground(const std::vector<Offset>& offsets, GroundGuess* ground) {
 
 // ---- lines ----
 
-constexpr double kLineSigma = 6 * kRadian;  // of a line's direction; less certain ones are not used
-constexpr double kAcross = 12 * kRadian;    // from perpendicular to the travel
-constexpr double kPeak = 3 * kRadian;       // half width of the peak
-constexpr double kLeastPeakShare = 0.3;
-constexpr int kLeastLines = 20;
-constexpr double kLineFloor = 1.5 * kRadian, kLinesSigma = 0.3 * kRadian;
+constexpr double kLineSigma = rad(6);  // of a line's direction; less certain ones are not used
+constexpr double kAcross = rad(12);    // from perpendicular to the travel
+constexpr double kPeak = rad(3);       // half width of the peak
+constexpr double kMinPeakShare = 0.3;
+constexpr int kMinLines = 20;
+constexpr double kLineFloor = rad(1.5), kLinesSigma = rad(0.3);
 
 struct LineAngle {
   double angle = 0, weight = 0;
@@ -215,9 +214,9 @@ double weight_near(const std::vector<LineAngle>& lines, double angle, double* me
 
 // ---- turns ----
 
-constexpr double kLeastTurn = 15 * kRadian;  // in all
-constexpr double kTurnSigma = 1 * kRadian;
-constexpr double kMostTurnSigma = 5 * kRadian;
+constexpr double kMinTurn = rad(15);  // in all
+constexpr double kTurnSigma = rad(1);
+constexpr double kMaxTurnSigma = rad(5);
 
 }  // namespace
 
@@ -242,7 +241,7 @@ std::optional<TravelAxes> travel_axes(const Drive& drive) {
     directions.insert(directions.end(), more.begin(), more.end());
     length += path.back().distance;
   }
-  if (drive.depth <= 0 || length < kLeastPath * drive.depth || directions.empty()) return std::nullopt;
+  if (drive.depth <= 0 || length < kMinPath * drive.depth || directions.empty()) return std::nullopt;
   TravelAxes axes;
   axes.forward = common_direction(directions);
   double squares = 0;
@@ -251,7 +250,7 @@ std::optional<TravelAxes> travel_axes(const Drive& drive) {
     const double off = angle_between(d, axes.forward);
     if (off < kAlong) squares += off * off, ++along;
   }
-  if (along < kLeastAlong * double(directions.size())) return std::nullopt;
+  if (along < kMinAlong * double(directions.size())) return std::nullopt;
   const double samples = std::max(1.0, length / (kPathPerSample * drive.depth));
   axes.sigma = std::sqrt(0.5 * squares / along / samples + kTravelSigma * kTravelSigma);
   // The axis of the image that is more nearly across the travel: y, but for a camera that looks up or down.
@@ -282,11 +281,11 @@ std::optional<UpCue> line_cue(const Drive& drive, const TravelAxes& axes) {
     for (const EdgeLine& line : k.lines) add_line(drive.run->pinhole, line, axes, &lines);
   double all = 0, best = 0, angle = 0;
   for (const LineAngle& l : lines) all += l.weight;
-  for (double a = 0; a < kPi / 2; a += kRadian)
+  for (double a = 0; a < kPi / 2; a += rad(1))
     if (const double w = weight_near(lines, a, nullptr, nullptr); w > best) best = w, angle = a;
   int count = 0;
   for (int i = 0; i < kIterations; ++i) best = weight_near(lines, angle, &angle, &count);
-  if (count < kLeastLines || best < kLeastPeakShare * all) return std::nullopt;
+  if (count < kMinLines || best < kMinPeakShare * all) return std::nullopt;
   return UpCue{"vertical lines", angle, std::hypot(kPeak / 2 / std::sqrt(count), kLinesSigma), kPi / 2};
 }
 
@@ -301,10 +300,10 @@ std::optional<UpCue> turn_cue(const Drive& drive, const TravelAxes& axes) {
       const Eigen::Vector2d w(xi.tail<3>().dot(axes.down), xi.tail<3>().dot(axes.right));
       sum += w * w.transpose(), turned += w.norm();
     }
-  if (turned < kLeastTurn) return std::nullopt;
+  if (turned < kMinTurn) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(sum);
   const double sigma = std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / eigen.eigenvalues()[1]);
-  if (sigma > kMostTurnSigma) return std::nullopt;
+  if (sigma > kMaxTurnSigma) return std::nullopt;
   const Eigen::Vector2d axis = eigen.eigenvectors().col(1);
   return UpCue{"turns", std::atan2(axis.y(), axis.x()), std::hypot(sigma, kTurnSigma), kPi};
 }

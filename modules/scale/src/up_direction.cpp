@@ -3,23 +3,22 @@
 
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/camera_mount.h"
 #include "edgevo/core/output_file.h"
 #include "up_cues.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kDegree = 180 / kPi;
 // Cues further apart than this contradict one another: standard deviations, and radians.
-constexpr double kAgreeSigmas = 3, kAgree = 1.5 / kDegree;
-constexpr double kUpright = 60 / kDegree;  // the largest roll that is guessed without the ground
+constexpr double kAgreeSigmas = 3, kAgree = rad(1.5);
+constexpr double kUpright = rad(60);  // the largest roll that is guessed without the ground
 // Degrees. A camera that is tilted by less than kLevelTilt is taken to look straight ahead: cars squat, roads
 // climb, and the level cameras of KITTI come out within 2 degrees. Up to kLevelled the map stays as it is,
 // with a doubt, since cameras of cars are mounted like that and their maps were never levelled.
 constexpr double kLevelTilt = 3, kLevelled = 7;
-constexpr double kLeastSigmas = 4;
-constexpr double kMostSigma = 1.5;  // degrees
+constexpr double kMinSigmas = 4;
+constexpr double kMaxSigma = 1.5;  // degrees
 
 struct Combined {
   double angle = 0, sigma = 0;
@@ -78,13 +77,13 @@ std::optional<UpEstimate> estimate_up(const Run& run) {
   if (!roll) return std::nullopt;
   UpEstimate up;
   up.up = -axes->across(roll->angle);
-  up.sigma_deg = kDegree * std::hypot(axes->sigma, roll->sigma);
-  up.tilt_deg = kDegree * std::acos(std::clamp(-up.up.y(), -1.0, 1.0));
+  up.sigma_deg = deg(std::hypot(axes->sigma, roll->sigma));
+  up.tilt_deg = deg(std::acos(std::clamp(-up.up.y(), -1.0, 1.0)));
   up.seen_in = "direction of travel" + roll->names;
   // Mounts have right angles: the ground or the lines alone are believed where they agree with one.
   const bool is_right_angle = roll->is_more_than_turns && std::abs(std::remainder(roll->angle, kPi / 2)) <
                                                               kAgreeSigmas * roll->sigma + kAgree;
-  up.is_certain = roll->contradict == 0 && (roll->agree >= 2 || is_right_angle) && up.sigma_deg < kMostSigma;
+  up.is_certain = roll->contradict == 0 && (roll->agree >= 2 || is_right_angle) && up.sigma_deg < kMaxSigma;
   return up;
 }
 
@@ -103,12 +102,12 @@ namespace {
 
 // A vehicle that moves along another axis than its forward one.
 std::optional<InputDecision> doubt_yaw(const Run& run) {
-  constexpr double kMostDeg = 30;  // a camera that is turned on its robot by less may be meant
+  constexpr double kMaxDeg = 30;  // a camera that is turned on its robot by less may be meant
   const auto axes = travel_axes(drive_of(run));
   if (!axes) return std::nullopt;
   const Eigen::Vector3d travel = run.T_vehicle_cam->R() * axes->forward;
-  const double off_deg = kDegree * std::abs(std::atan2(travel.y(), travel.x()));
-  if (off_deg < kMostDeg) return std::nullopt;
+  const double off_deg = deg(std::abs(std::atan2(travel.y(), travel.x())));
+  if (off_deg < kMaxDeg) return std::nullopt;
   return InputDecision{"mount seen",
                        "the vehicle moves " + fixed(off_deg, 0) + " degrees from its forward axis",
                        "direction of travel",
@@ -122,8 +121,8 @@ std::optional<InputDecision> doubt_mount(const Run& run) {
   const auto up = estimate_up(run);
   if (!up || !up->is_certain) return std::nullopt;
   const Eigen::Vector3d given = run.T_vehicle_cam->R().transpose() * Eigen::Vector3d::UnitZ();
-  const double off_deg = kDegree * std::atan2(given.cross(up->up).norm(), given.dot(up->up));
-  if (off_deg < std::max(kLevelled, kLeastSigmas * up->sigma_deg)) return std::nullopt;
+  const double off_deg = deg(std::atan2(given.cross(up->up).norm(), given.dot(up->up)));
+  if (off_deg < std::max(kLevelled, kMinSigmas * up->sigma_deg)) return std::nullopt;
   return InputDecision{"mount seen", describe(camera_mount(level_mount(up->up))), seen(*up),
                        "the mount that was given differs from it by " + fixed(off_deg, 0) +
                            " degrees: check its order (roll, pitch, yaw), signs and unit (degrees)."};
@@ -136,7 +135,7 @@ std::optional<InputDecision> decide_up(Run* run) {
   InputDecision decision{"mount", "looks straight ahead", "assumed", ""};
   const auto up = estimate_up(*run);
   if (!up) return decision;
-  if (up->tilt_deg < std::max(up->is_certain ? kLevelTilt : kLevelled, kLeastSigmas * up->sigma_deg)) {
+  if (up->tilt_deg < std::max(up->is_certain ? kLevelTilt : kLevelled, kMinSigmas * up->sigma_deg)) {
     decision.reason =
         "assumed; by " + seen(*up) + ", up lies " + fixed(up->tilt_deg, 1) + " degrees from there";
     return decision;

@@ -11,23 +11,23 @@
 namespace edgevo {
 namespace {
 
-constexpr double kFollowedShare = 0.5;   // of a body's edges that are seen again
-constexpr int kMostUnseen = 2;           // frames in a row
-constexpr int kMostAge = 60;             // frames
-constexpr double kLeastArea = 0.003;     // of the image: less does no harm
-constexpr double kLeastNewArea = 0.015;  // of the image, when it is found
-constexpr double kMostArea = 0.6;        // of the image: more is no body in a scene
-constexpr size_t kMaxBodyPixels = 150;   // of a body, to follow it
-constexpr size_t kFewFollowed = 40;      // that have moved as it did
-constexpr double kTrimmed = 0.02;        // of a body's edges on each side: neighbours of the scene
-constexpr int kMinPosePoints = 60;       // that constrain a pose
-constexpr int kProbation = 4;            // frames
-constexpr int kRest = 3;                 // frames without a search, after a body that was none
+constexpr double kFollowedShare = 0.5;  // of a body's edges that are seen again
+constexpr int kMaxUnseen = 2;           // frames in a row
+constexpr int kMaxAge = 60;             // frames
+constexpr double kMinArea = 0.003;      // of the image: less does no harm
+constexpr double kMinNewArea = 0.015;   // of the image, when it is found
+constexpr double kMaxArea = 0.6;        // of the image: more is no body in a scene
+constexpr size_t kMaxBodyPixels = 150;  // of a body, to follow it
+constexpr size_t kMinFollowed = 40;     // that have moved as it did
+constexpr double kTrimmed = 0.02;       // of a body's edges on each side: neighbours of the scene
+constexpr int kMinPosePoints = 60;      // that constrain a pose
+constexpr int kProbation = 4;           // frames
+constexpr int kRest = 3;                // frames without a search, after a body that was none
 // Of a body from where a scene that stands still could be: poses and similarities are good to a pixel.
 constexpr double kProofPx = 3;
 // Next to a body, and growing with it: of the width, edges, and their share with its motion.
 constexpr int kStrips = 32;
-constexpr size_t kFewInStrip = 12;
+constexpr size_t kMinInStrip = 12;
 constexpr double kStripShare = 0.65, kForeignShare = 0.3;
 constexpr double kImpossibleStripPx = 2;  // of a strip in one step from where the scene could be
 constexpr double kSceneMovesBodyPx = 6;   // while a body keeps its place in the image
@@ -50,7 +50,7 @@ bool is_worth_following(const ImageBox& box, const Pinhole& camera, double least
   const ImageBox seen = clipped(box, camera);
   if (seen.right <= seen.left || seen.bottom <= seen.top) return false;
   const double share = area(seen) / (double(camera.width) * camera.height);
-  return share > least && share < kMostArea;
+  return share > least && share < kMaxArea;
 }
 
 std::vector<OrientedPixel> all_edges_in(const ImageEdges& edges, const ImageBox& box) {
@@ -122,7 +122,7 @@ MovingBodies::Strip MovingBodies::strip(const ImageBox& box, const Body& body) {
 void MovingBodies::look_around(const FramePyramid& frame, Body* body) {
   const double w = strip_width(frame);
   const auto share = [&](const Strip& strip) {
-    return strip.before.size() < kFewInStrip ? -1 : agreeing_share(frame.finest(), strip.before, body->step);
+    return strip.before.size() < kMinInStrip ? -1 : agreeing_share(frame.finest(), strip.before, body->step);
   };
   const ImageBox a = body->area, &b = body->box;
   for (const ImageBox& inside : sides(a, -w)) {
@@ -151,7 +151,7 @@ void MovingBodies::grow(const Pinhole& pinhole, const SE3& T_cur_last, double me
 std::vector<OrientedPixel> MovingBodies::followed_edges(const FramePyramid& frame, const Body& body) {
   const std::vector<OrientedPixel> before = strip(body.box, body).before;
   const std::vector<OrientedPixel> moved = moved_edges(frame.finest(), before, body.step);
-  return thinned(moved.size() >= kFewFollowed ? moved : all_edges_in(frame.finest().edges, body.box),
+  return thinned(moved.size() >= kMinFollowed ? moved : all_edges_in(frame.finest().edges, body.box),
                  kMaxBodyPixels);
 }
 
@@ -169,8 +169,8 @@ bool MovingBodies::follow(const FramePyramid& frame, Body* body) {
   body->motion = then(body->motion, body->step);
   body->strips.clear();
   if (is_seen && body->counts) look_around(frame, body);
-  if (++body->age > kMostAge || body->unseen > kMostUnseen) return false;
-  if (!is_worth_following(body->box, frame.finest().pinhole, kLeastArea)) return false;
+  if (++body->age > kMaxAge || body->unseen > kMaxUnseen) return false;
+  if (!is_worth_following(body->box, frame.finest().pinhole, kMinArea)) return false;
   if (is_seen)
     body->pixels = followed_edges(frame, *body);
   else
@@ -191,7 +191,7 @@ bool MovingBodies::look(const FramePyramid& frame, const Reference& reference, c
   if (group.points.empty()) return false;
   Body body;
   body.box = box_of(group);
-  if (!is_worth_following(body.box, frame.finest().pinhole, kLeastNewArea)) return false;
+  if (!is_worth_following(body.box, frame.finest().pinhole, kMinNewArea)) return false;
   body.area = body.box;
   body.pixels = thinned(all_edges_in(frame.finest().edges, body.box), kMaxBodyPixels);
   body.first_pixels = body.pixels;

@@ -12,12 +12,12 @@ namespace {
 
 constexpr int kColumns = 32;              // of cells over the width of the image
 constexpr double kContradictShare = 0.6;  // of the points around a cell
-constexpr int kFewAround = 5;             // points around a cell
-constexpr int kFewPoints = 16;            // of a group
-constexpr int kFewOutside = 40;           // points that agree with the pose, outside the group
-constexpr int kFewEdges = 60;             // edge pixels of a group
+constexpr int kMinAround = 5;             // points around a cell
+constexpr int kMinPoints = 16;            // of a group
+constexpr int kMinOutside = 40;           // points that agree with the pose, outside the group
+constexpr int kMinEdges = 60;             // edge pixels of a group
 constexpr double kGrowShare = 0.65;       // of the edge pixels of a cell next to a group
-constexpr int kFewInCell = 6;             // edge pixels
+constexpr int kMinInCell = 6;             // edge pixels
 constexpr double kRestAgrees = 0.6;       // of the points outside the group
 // The rest of the view reaches over this many times the group's area.
 constexpr double kRestReaches = 2.0;
@@ -75,7 +75,7 @@ struct Cells {
     if (agree[c] + contradict[c] == 0) return false;
     int a = 0, b = 0;
     around(c, [&](int n) { a += agree[n], b += contradict[n]; });
-    return a + b >= kFewAround && b >= kContradictShare * (a + b);
+    return a + b >= kMinAround && b >= kContradictShare * (a + b);
   }
   // Connected cells that contradict: number of the part by cell, -1 elsewhere. Returns how many parts.
   int parts(std::vector<int>* part) const {
@@ -121,7 +121,7 @@ bool rest_is_scene(const ReferenceCloud& cloud, const std::vector<Fit>& fits, co
     ++agree;
     rest.push_back(cloud.points[i].px);
   }
-  return agree >= kRestAgrees * all && agree >= kFewOutside && spread(rest) >= kRestReaches * spread(own);
+  return agree >= kRestAgrees * all && agree >= kMinOutside && spread(rest) >= kRestReaches * spread(own);
 }
 
 // Edge pixels of the reference image by cell.
@@ -154,7 +154,7 @@ void grow(const Cells& cells, const std::vector<std::vector<OrientedPixel>>& by_
       if (is_asked[size_t(c)]) return;
       is_asked[size_t(c)] = true;
       const std::vector<OrientedPixel>& pixels = by_cell[size_t(c)];
-      if (int(pixels.size()) < kFewInCell || agreeing_share(finest, pixels, motion) < kGrowShare) return;
+      if (int(pixels.size()) < kMinInCell || agreeing_share(finest, pixels, motion) < kGrowShare) return;
       (*area)[size_t(c)] = true;
       open.push_back(c);
     });
@@ -226,10 +226,10 @@ struct View {
 MovingGroup group_in(std::vector<bool> area, View* seen) {
   View& view = *seen;
   const std::vector<int> points = view.points_in(area);
-  if (int(points.size()) < kFewPoints || !rest_is_scene(view.cloud, view.fits, points)) return {};
+  if (int(points.size()) < kMinPoints || !rest_is_scene(view.cloud, view.fits, points)) return {};
   if (view.edges.empty()) view.edges = edges_by_cell(view.cloud.pyramid->finest().edges, view.cells);
   const std::vector<OrientedPixel> pixels = pixels_of(view.edges, area);
-  if (int(pixels.size()) < kFewEdges) return {};
+  if (int(pixels.size()) < kMinEdges) return {};
   const GroupMotion own = align_group(view.current, pixels, first_starts(pixels));
   if (own.share < kOwnShare || own.share - own.chance < kOwnExcess) return {};
   const PyramidLevel& finest = view.current.finest();

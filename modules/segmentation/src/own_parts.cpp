@@ -9,7 +9,7 @@ namespace {
 
 // Of the image: as much as changes a map, and is worth a line.
 constexpr double kWorthSaying = 0.01;
-constexpr int kMostDelayed = 30;  // frames
+constexpr int kMaxDelayed = 30;  // frames
 
 }  // namespace
 
@@ -31,7 +31,7 @@ bool OwnParts::take(const FramePyramid& frame) {
 
 bool OwnParts::delays_map(const FramePyramid& frame) {
   if (!frame.may_show_own_part) return false;
-  return ++delayed_ <= kMostDelayed;
+  return ++delayed_ <= kMaxDelayed;
 }
 
 }  // namespace edgevo

@@ -22,7 +22,7 @@ constexpr double kMaxUsefulSigma = 0.004;
 constexpr double kMaxUsefulReadoutSigma = 0.005;
 // Standard deviations below which an applied read-out time is given up: found early in bad light, it may turn
 // out to be zero. Half of the threshold for applying one, so that it does not alternate.
-constexpr double kLeastSignificance = 1.5;
+constexpr double kMinSignificance = 1.5;
 // Factor on an estimated change of the read-out time. Matches found in images with rolling-shutter distortion
 // bias the estimates: they come out a fifth to a half short and approach the truth step by step
 // (share/lab/archive/2026-11-22_rolling_shutter.md).
@@ -138,7 +138,7 @@ class CameraFinder {
   Finding note_readout(double readout_s, double formal_sigma) {
     CameraRefinement::Shutter& s = state_.shutter;
     const FindingCriteria criteria{kMaxUsefulReadoutSigma, kMaxReadout, params_.significance,
-                                   kLeastSignificance};
+                                   kMinSignificance};
     const Finding f =
         weigh(s.state, readout_s, params_.readout_s, readout_sigma(formal_sigma, keyframes_), criteria);
     s.state = f.state;

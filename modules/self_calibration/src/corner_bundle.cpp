@@ -13,14 +13,14 @@ namespace edgevo {
 namespace {
 
 constexpr double kSigmaPx = 0.3;  // of a followed corner
-constexpr int kLeastViews = 4;    // of a corner: more than two, or it shows no focal length
-constexpr size_t kLeastCorners = 30;
+constexpr int kMinViews = 4;      // of a corner: more than two, or it shows no focal length
+constexpr size_t kMinCorners = 30;
 // A corner that slid along an edge, or lies on a body that moves, is further off than this by the median.
 constexpr double kOutlier = 3;
 constexpr int kRounds = 2;                // of an estimate, the next one without the outliers
 constexpr double kEnoughDecrease = 1e-3;  // decrease of the cost, a share of it, that ends an adjustment
 // Least inverse depth per length of the baseline, and least baseline that this is taken of.
-constexpr double kLeastIdepth = 1e-3, kLeastBaseline = 1e-9;
+constexpr double kMinIdepth = 1e-3, kMinBaseline = 1e-9;
 
 struct Track {
   std::vector<std::pair<int, Eigen::Vector2d>> sights;  // view, pixel
@@ -34,7 +34,7 @@ std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<CornerSig
       by_id[c.id].sights.emplace_back(int(v), pinhole.project(c.ray));
   std::vector<Track> tracks;
   for (auto& [id, track] : by_id)
-    if (int(track.sights.size()) >= kLeastViews) tracks.push_back(std::move(track));
+    if (int(track.sights.size()) >= kMinViews) tracks.push_back(std::move(track));
   return tracks;
 }
 
@@ -65,7 +65,7 @@ CameraProblem make_problem(const Rectification& rectification, const std::vector
   const SE3 &first = views.front().T_cam_path, &last = views.back().T_cam_path;
   p.prior = ba::fix_baseline(first, last, int(views.size()) - 1);
   const double baseline = (last * first.inverse()).translation().norm();
-  const double least = kLeastIdepth / std::max(baseline, kLeastBaseline);
+  const double least = kMinIdepth / std::max(baseline, kMinBaseline);
   for (size_t i = 0; i < tracks.size(); ++i) {
     const Track& track = tracks[i];
     const auto& [host, px_host] = track.sights[i % track.sights.size()];
@@ -109,7 +109,7 @@ CameraSearch search_from(const CameraError& start, double k1) {
   search.start = start;
   search.free = only({kFocal, kK1});
   search.prior[kK1] = k1;
-  search.limit[kFocal] = kMostFocalError;
+  search.limit[kFocal] = kMaxFocalError;
   return search;
 }
 
@@ -126,7 +126,7 @@ std::optional<FocalError> adjust_corners(const Rectification& rectification,
   std::vector<Track> tracks = tracks_of(rectification.target(), views);
   CameraEstimate found;
   for (int round = 0; round < kRounds; ++round) {
-    if (tracks.size() < kLeastCorners) return std::nullopt;
+    if (tracks.size() < kMinCorners) return std::nullopt;
     const CameraProblem problem = make_problem(rectification, placed, tracks);
     found = estimate_camera(problem, search_from(error, lens.k1), options);
     if (!found.usable) return std::nullopt;

@@ -13,23 +13,23 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kViews = 6;
-constexpr size_t kLeastFollowed = 15;  // from view to view: where fewer are, a new window begins
-constexpr double kLeastWay = 0.03;     // median way of the corners between two views, widths of the image
-constexpr double kLeastTurn = 0.05;    // radians over a window: a way straight on shows no focal length
-constexpr size_t kLeastWindows = 3, kMostWindows = 9;  // odd: for the median
-constexpr double kMostSigma = 0.15;                    // of a window that counts, relative
+constexpr size_t kMinFollowed = 15;  // from view to view: where fewer are, a new window begins
+constexpr double kMinWay = 0.03;     // median way of the corners between two views, widths of the image
+constexpr double kMinTurn = 0.05;    // radians over a window: a way straight on shows no focal length
+constexpr size_t kMinWindows = 3, kMaxWindows = 9;  // odd: for the median
+constexpr double kMaxSigma = 0.15;                  // of a window that counts, relative
 // Least scatter of windows, and what all may share: rows that are read out one after another, a residual
 // distortion. Relative.
-constexpr double kLeastScatter = 0.05, kCommon = 0.04;
+constexpr double kMinScatter = 0.05, kCommon = 0.04;
 
 std::vector<FollowedCorner> by_file(std::vector<FollowedCorner> corners, const ImageCorrection& lens) {
   for (FollowedCorner& c : corners) c.ray.head<2>() = add_lens(lens, c.ray.head<2>());
   return corners;
 }
 // A scatter of few windows is itself uncertain: 95 % quantile of Student's distribution over that of the
-// normal one, for kLeastWindows windows and more.
-constexpr std::array<double, kMostWindows - kLeastWindows + 1> kStudent{2.20, 1.62, 1.42, 1.31,
-                                                                        1.25, 1.21, 1.18};
+// normal one, for kMinWindows windows and more.
+constexpr std::array<double, kMaxWindows - kMinWindows + 1> kStudent{2.20, 1.62, 1.42, 1.31,
+                                                                     1.25, 1.21, 1.18};
 
 }  // namespace
 
@@ -67,26 +67,26 @@ std::vector<double> FocalByCorners::Impl::ways_since_view(const std::vector<Foll
 void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) {
   if (!views.empty()) {
     const std::vector<double> ways = ways_since_view(corners);
-    if (ways.size() < kLeastFollowed)
+    if (ways.size() < kMinFollowed)
       views.clear();
-    else if (median(ways) < kLeastWay)
+    else if (median(ways) < kMinWay)
       return;
   }
   views.push_back({T_cam_path, corners});
   if (views.size() < kViews) return;
   const SE3 motion = views.back().T_cam_path * views.front().T_cam_path.inverse();
-  if (motion.angle() > kLeastTurn) measure();
+  if (motion.angle() > kMinTurn) measure();
   views.erase(views.begin(), views.begin() + kViews / 2);
 }
 
 void FocalByCorners::Impl::measure() {
   const std::optional<FocalError> found = adjust_corners(rectification, views, lens);
-  if (found && found->sigma < kMostSigma) windows.push_back(std::log1p(found->value));
+  if (found && found->sigma < kMaxSigma) windows.push_back(std::log1p(found->value));
 }
 
 void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last,
                          const ImageCorrection& lens) {
-  if (impl_->windows.size() >= kMostWindows) return;
+  if (impl_->windows.size() >= kMaxWindows) return;
   if (!T_cur_last) impl_->views.clear();
   impl_->T_cam_path = impl_->views.empty() ? SE3() : *T_cur_last * impl_->T_cam_path;
   impl_->lens = lens;
@@ -97,12 +97,12 @@ void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::
 std::optional<FocalError> FocalByCorners::error() const {
   constexpr double kSigmaOverMad = 1.48, kSigmaOfMedian = 1.25;  // of a normal distribution; over the mean's
   const std::vector<double>& windows = impl_->windows;
-  if (windows.size() < kLeastWindows) return std::nullopt;
+  if (windows.size() < kMinWindows) return std::nullopt;
   const double middle = median(windows);
   std::vector<double> deviations;
   for (const double w : windows) deviations.push_back(std::abs(w - middle));
   const double scatter =
-      std::max(kLeastScatter, kStudent[windows.size() - kLeastWindows] * kSigmaOverMad * median(deviations));
+      std::max(kMinScatter, kStudent[windows.size() - kMinWindows] * kSigmaOverMad * median(deviations));
   const double sigma = std::hypot(kSigmaOfMedian * scatter / std::sqrt(double(windows.size())), kCommon);
   return FocalError{std::expm1(middle), std::exp(middle) * sigma, int(windows.size())};
 }

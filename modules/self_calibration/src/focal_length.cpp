@@ -19,7 +19,7 @@ constexpr double kSureUpTo = 0.95;
 constexpr double kTried = 2.0 / 3;
 // Cost of the map with a focal length far off the one in use: with true ones it was 0.5 to 1.13 times that
 // before, with wrong ones 1.5 to 5.9 (share/lab/archive/2026-11-27_focal_length_applied.md).
-constexpr double kMostCost = 1.25;
+constexpr double kMaxCost = 1.25;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ std::optional<double> focal_length_to_try(const CameraRefinement& known, double 
   const CameraRefinement::FocalLength& found = known.focal_length;
   const double in_use = known.correction.focal;
   if (!(found.sigma > 0) || found.windows <= found.windows_rejected) return std::nullopt;
-  if (std::abs(found.estimate) > kSureUpTo * kMostFocalError) return std::nullopt;
+  if (std::abs(found.estimate) > kSureUpTo * kMaxFocalError) return std::nullopt;
   const auto try_if = [&](bool tries) { return tries ? std::make_optional(found.estimate) : std::nullopt; };
   if (in_use == 0) return try_if(std::abs(found.estimate) > kTried * significance * found.sigma);
   if (std::abs(found.estimate) < kSameAsFile * found.sigma) return 0.0;
@@ -37,7 +37,7 @@ std::optional<double> focal_length_to_try(const CameraRefinement& known, double 
 bool is_supported_by_map(const CameraRefinement& known, double cost_ratio, double significance) {
   const CameraRefinement::FocalLength& found = known.focal_length;
   const bool is_far_off = std::abs(found.estimate - known.correction.focal) > significance * found.sigma;
-  return cost_ratio < (is_far_off ? kMostCost : 1);
+  return cost_ratio < (is_far_off ? kMaxCost : 1);
 }
 
 // From keyframe to keyframe: over a longer way the first order is not enough.

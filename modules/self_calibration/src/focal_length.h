@@ -12,7 +12,7 @@ namespace edgevo {
 /// use; nothing: that one stays. One is tried first where corners put it two thirds of `significance`
 /// standard deviations off the file; later where it is off the one in use by a standard deviation; and the
 /// file's is again where it is right to 1.5 after all. One that the map spoke against waits for another
-/// window, and one at the limit (kMostFocalError) is not tried.
+/// window, and one at the limit (kMaxFocalError) is not tried.
 std::optional<double> focal_length_to_try(const CameraRefinement& known, double significance);
 
 /// Whether a focal length is applied with which the cost of the map is `cost_ratio` times that with the one

@@ -18,8 +18,8 @@ constexpr int kEvery = 5;
 constexpr double kHeldWeight = 1e-3;
 // Factor on the tolerance of the first of two adjustments.
 constexpr double kFirstTolerance = 10;
-constexpr double kLeastDepth = 1e-3;
-constexpr size_t kFewestMatches = 20;  // of a keyframe that counts
+constexpr double kMinDepth = 1e-3;
+constexpr size_t kMinMatches = 20;  // of a keyframe that counts
 
 bool is_held_back(int pose) { return pose % kEvery == kEvery - 1; }
 
@@ -68,7 +68,7 @@ double cost_of(const BaProblem& p, const BaObservation& o, double width) {
   const BaPoint& point = p.points[size_t(o.point)];
   const SE3 T = p.poses[size_t(o.target)].T_cam_world * p.poses[size_t(point.host)].T_cam_world.inverse();
   const Eigen::Vector3d Y = T.rotation() * point.ray + point.idepth * T.translation();
-  if (!(Y.z() > kLeastDepth)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(Y.z() > kMinDepth)) return std::numeric_limits<double>::quiet_NaN();
   return huber(o.normal.dot(p.pinhole.project(Y) - o.px) * o.inv_sigma_normal, width);
 }
 
@@ -98,7 +98,7 @@ HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate
   }
   std::vector<double> gains;
   for (const Difference& d : by_keyframe)
-    if (d.matches >= kFewestMatches) gains.push_back(d.sum / double(d.matches));
+    if (d.matches >= kMinMatches) gains.push_back(d.sum / double(d.matches));
   const MeanAndError gain = mean_and_error(gains);
   return {gain.mean, gain.error, int(gains.size())};
 }

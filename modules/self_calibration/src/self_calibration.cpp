@@ -21,7 +21,7 @@ namespace {
 using State = CameraRefinement::State;
 
 // Keyframes: fewer hold the scale of a map that changes its shape less well.
-constexpr int kFewestForFocalLength = 5;
+constexpr int kMinForFocalLength = 5;
 // Number of estimates during a run; the last one is the most expensive, about a second at 120 keyframes.
 constexpr int kCheckpoints = 3;
 
@@ -91,7 +91,7 @@ bool SelfCalibration::refines_focal_length() const {
 
 bool SelfCalibration::is_focal_length_due(const Map& map) const {
   if (job_) return job_->is_of_focal_length;
-  return needs_matches() && keyframes_of(map) >= kFewestForFocalLength &&
+  return needs_matches() && keyframes_of(map) >= kMinForFocalLength &&
          focal_length_to_try(state_, params_.significance);
 }
 

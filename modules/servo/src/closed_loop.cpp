@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "delayed_sensor.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "simulated_camera.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kDegree = 180 / 3.14159265358979323846;
 constexpr double kHold_s = 1;  // time at the goal until the loop counts as converged
 
 class ClosedLoop {
@@ -161,7 +160,7 @@ class ClosedLoop {
   void note_truth(ServoRow* row) const {
     const SE3 T_taught_cam = plan_.T_scene_taught.inverse() * row->T_scene_cam;
     row->true_mm = 1000 * T_taught_cam.translation().norm();
-    row->true_deg = kDegree * T_taught_cam.angle();
+    row->true_deg = deg(T_taught_cam.angle());
   }
 
   // True pixels of the feed's points in the image at a pose.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMaxSpeed = 0.25, kMaxTurn = 0.8;  // metres and radians per second
 constexpr double kGoal_m = 0.001, kGoal_deg = 0.1, kGoal_px = 0.25;
-constexpr int kFewestPoints = 4;
+constexpr int kMinPoints = 4;
 
 // The velocity, scaled down to the limits of the robot.
 vpColVector limited(vpColVector v) {
@@ -41,7 +41,7 @@ class TaughtLaw : public ControlLaw {
 
   bool teach(const ServoPose& pose, std::string* why) override {
     if (!pose.usable) return *why = pose.reason, false;
-    if (points_.choose(pose, count_) < kFewestPoints)
+    if (points_.choose(pose, count_) < kMinPoints)
       return *why = "too few edge points of known depth in view", false;
     map_version_ = pose.map_version;
     set_goal(pose, points_.features(pose));

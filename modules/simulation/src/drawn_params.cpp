@@ -3,12 +3,11 @@
 
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "room_plan.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr uint64_t kDrawnPurpose = 0x647261776e;  // a stream of its own for these parameters
 
 struct Range {
@@ -22,7 +21,7 @@ void draw_camera(Random& random, const Range& view_deg, CameraParams* camera) {
   constexpr Range kBarrel{-0.06, 0.01};       // k1
   constexpr Range kOffCentre{-0.012, 0.012};  // principal point, share of the width
   Pinhole p = camera->camera.pinhole();
-  p.fx = p.fy = 0.5 * p.width / std::tan(0.5 * view_deg.draw(random) * kDegree);
+  p.fx = p.fy = 0.5 * p.width / std::tan(0.5 * rad(view_deg.draw(random)));
   p.cx = 0.5 * (p.width - 1) + kOffCentre.draw(random) * p.width;
   p.cy = 0.5 * (p.height - 1) + kOffCentre.draw(random) * p.width;
   Distortion d;
@@ -101,7 +100,7 @@ void draw_open_land(Random& random, const std::string&, SceneParams* params) {
   m.sway_m = random.uniform(0.005, 0.02);
   m.sway_hz = random.uniform(0.8, 1.6);
   params->frames = m.legs * frames_per_leg;
-  const double length = step_m * frames_per_leg, bend = sign_of(random) * random.uniform(0, 14) * kDegree;
+  const double length = step_m * frames_per_leg, bend = sign_of(random) * rad(random.uniform(0, 14));
   params->waypoints = road_with_bend(random.uniform(0.5, 0.7) * length, bend, length);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 
 namespace edgevo {
@@ -189,7 +190,7 @@ std::vector<PathPoint> drive_along(const SceneParams& params, int steps_per_fram
   for (int i = 0; i < params.frames; ++i) {
     for (int k = 0; k < steps_per_frame; ++k) {
       PathPoint p = driver.point();
-      if (pauses) p.yaw += m.pause_turn_deg * M_PI / 180 * ease(paused / pause_seconds);
+      if (pauses) p.yaw += rad(m.pause_turn_deg) * ease(paused / pause_seconds);
       out.push_back(p);
       if (driver.gone() >= stop && paused < pause_seconds)
         paused += dt;

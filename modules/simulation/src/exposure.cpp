@@ -44,7 +44,7 @@ void check_shutter(const Scene& scene) {
 }
 
 int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>& depth) {
-  constexpr int kGrid = 16, kMost = 32;
+  constexpr int kGrid = 16, kMax = 32;
   constexpr double kFar = 1e6, kPixelsApart = 1.5, kShare = 0.95;
   const double half = scene.shutter.exposure_s / 2;
   const SE3 T_end_begin = T_scene_cam(scene, frame, half).inverse() * T_scene_cam(scene, frame, -half);
@@ -57,8 +57,8 @@ int instants_of_exposure(const Scene& scene, int frame, const std::vector<float>
       const Eigen::Vector3d moved = T_end_begin * ((z > 0 ? z : kFar) * p.ray(px));
       if (moved.z() > 0) shifts.push_back((p.project(moved) - px).norm());
     }
-  if (shifts.empty()) return kMost;
-  return int(std::clamp(std::ceil(quantile(std::move(shifts), kShare) / kPixelsApart), 1.0, double(kMost)));
+  if (shifts.empty()) return kMax;
+  return int(std::clamp(std::ceil(quantile(std::move(shifts), kShare) / kPixelsApart), 1.0, double(kMax)));
 }
 
 std::vector<float> expose(const Scene& scene, const LensRays& rays, int frame, int instants) {

@@ -153,13 +153,13 @@ class ImagePass {
   }
 
   void set_row_of_bodies(uint8_t* bodies) {
-    constexpr int kMost = 99;
+    constexpr int kMax = 99;
     std::fill(bodies, bodies + pinhole_.width, kSceneAlone);
     for (int s = 0; s < kSamples; ++s) {
       const int32_t* owner = row_.owner_of(s);
       for (int u = 0; u < pinhole_.width; ++u)
         if (owner[u] >= 0 && body_[size_t(owner[u])] != kNoBody)
-          bodies[u] = std::min(bodies[u], uint8_t(std::min(body_[size_t(owner[u])], kMost)));
+          bodies[u] = std::min(bodies[u], uint8_t(std::min(body_[size_t(owner[u])], kMax)));
     }
   }
 

@@ -5,13 +5,12 @@
 #include <cmath>
 
 #include "drive_path.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "smooth_noise.h"
 
 namespace edgevo {
 namespace {
-
-constexpr double kRadian = 3.14159265358979323846 / 180;
 constexpr uint64_t kMotionPurpose = 0x6d6f74696f6e;
 
 // Time of a step. At a frame it is the frame's own, to the last bit.
@@ -35,7 +34,7 @@ PathPoint between(const std::vector<PathPoint>& path, double step) {
   const size_t i = size_t(std::clamp(std::floor(step), 0.0, double(path.size() - 2)));
   const double t = step - double(i);
   const PathPoint &a = path[i], &b = path[i + 1];
-  const double turn = std::remainder(b.yaw - a.yaw, 360 * kRadian);
+  const double turn = std::remainder(b.yaw - a.yaw, rad(360));
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.yaw + t * turn};
 }
 
@@ -60,11 +59,11 @@ std::vector<SE3> drive(const SceneParams& params, Random random, const std::stri
       lift(&random, m.sway_hz), glance(&random, m.glance_hz);
   std::vector<SE3> poses;
   for (size_t i = 0; i < path.size(); ++i) {
-    const double t = seconds_at(i, params.rate_hz), sway = m.sway_deg * kRadian;
+    const double t = seconds_at(i, params.rate_hz), sway = rad(m.sway_deg);
     const Eigen::Vector3d position(path[i].x, path[i].y, m.height + m.sway_m * lift(t));
-    const double aside = m.glance_deg * kRadian * glance(t) - m.look_right_deg * kRadian;
+    const double aside = rad(m.glance_deg) * glance(t) - rad(m.look_right_deg);
     poses.push_back(look(position, path[i].yaw + aside + sway / 3 * yaw(t),
-                         m.look_down_deg * kRadian + sway * pitch(t), m.roll_deg * kRadian + sway * roll(t)));
+                         rad(m.look_down_deg) + sway * pitch(t), rad(m.roll_deg) + sway * roll(t)));
   }
   return poses;
 }
@@ -81,7 +80,7 @@ std::vector<SE3> hand(const SceneParams& params, Random random) {
   double length = 0;
   constexpr double kStep = 0.01, kSeconds = 200;
   for (double t = 0; t < kSeconds; t += kStep) length += (position(t + kStep) - position(t)).norm();
-  const double pace = m.speed / (length / kSeconds), sway = m.sway_deg * kRadian;
+  const double pace = m.speed / (length / kSeconds), sway = rad(m.sway_deg);
   std::vector<SE3> poses;
   for (size_t i = 0; i < size_t(params.frames) * kStepsPerFrame; ++i) {
     const double t = seconds_at(i, params.rate_hz);

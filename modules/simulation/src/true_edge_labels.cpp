@@ -122,7 +122,7 @@ Clean clean_image(const Look& look) {
 bool is_steepest(const Clean& clean, int u, int v) {
   const Eigen::Vector2f g = clean.slope(u, v);
   const float steepness = g.norm();
-  if (steepness < kLeastTextureSlope) return false;
+  if (steepness < kMinTextureSlope) return false;
   const int du = int(std::lround(g.x() / steepness)), dv = int(std::lround(g.y() / steepness));
   // Of equal neighbours the first counts, so that a step between pixels is not marked twice; equal but for
   // rounding.

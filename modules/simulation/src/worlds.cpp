@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "texture_kinds.h"
 
@@ -23,8 +24,7 @@ std::vector<std::string> wall_kinds(const std::string& list, const std::string& 
 }
 
 Eigen::Vector3d sun_direction(const WorldParams& w) {
-  constexpr double kRadian = 3.14159265358979323846 / 180;
-  const double a = w.sun_azimuth_deg * kRadian, e = w.sun_elevation_deg * kRadian;
+  const double a = rad(w.sun_azimuth_deg), e = rad(w.sun_elevation_deg);
   return {std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e)};
 }
 

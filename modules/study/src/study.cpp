@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 #include <utility>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/run_parallel.h"
@@ -18,7 +19,6 @@ namespace edgevo {
 namespace {
 
 constexpr double kMaxDriftPercent = 100;  // drift of a failed solution: the whole motion
-constexpr double kDegrees = 180 / M_PI;   // of a radian
 
 // Limits OpenCV to one thread during its lifetime: times are CPU times of one thread, and hosts are already
 // spread over threads.
@@ -90,8 +90,8 @@ void compare_pose(const SE3& T, const SE3& truth, StudySample* sample) {
   const double drift = 100 * (T.translation() - truth.translation()).norm() / truth.translation().norm();
   sample->drift_percent = std::isfinite(drift) ? std::min(drift, kMaxDriftPercent) : kMaxDriftPercent;
   const double cosine = T.translation().normalized().dot(truth.translation().normalized());
-  sample->direction_deg = kDegrees * std::acos(std::clamp(cosine, -1.0, 1.0));
-  sample->rotation_deg = kDegrees * (T.inverse() * truth).angle();
+  sample->direction_deg = deg(std::acos(std::clamp(cosine, -1.0, 1.0)));
+  sample->rotation_deg = deg((T.inverse() * truth).angle());
 }
 
 // Errors of the matches that also fix the position along the edge.

@@ -37,11 +37,11 @@ FrameClock::Step FrameClock::tick(Timestamp time) {
   const double seconds = newest_ ? seconds_between(*newest_, time) : 0;
   newest_ = time;
   if (!(seconds > kNoStep)) return {};
-  const bool few = intervals_.size() < kFewIntervals;
+  const bool few = intervals_.size() < kMinIntervals;
   const double usual = few ? seconds : usual_interval(intervals_);
   intervals_.push_back(seconds);
   if (intervals_.size() > kIntervals) intervals_.pop_front();
-  const double frames = std::clamp(std::round(seconds / usual), 1.0, double(kMostFrames));
+  const double frames = std::clamp(std::round(seconds / usual), 1.0, double(kMaxFrames));
   return {int(frames), std::clamp(seconds, kShortest * frames * usual, kLongest * frames * usual)};
 }
 

@@ -92,11 +92,11 @@ double explained_share(const Pinhole& pinhole, const std::vector<CornerPair>& co
 // frame bends it further. The rotation and direction of the corners hold, and the edges give the length.
 PoseCandidate hold_to_corners(const TrackingTask& task, const PoseCandidate& by_edges, const Track& track,
                               const SupportScorer& scorer) {
-  constexpr double kFewExplained = 0.9;
+  constexpr double kMinExplained = 0.9;
   // Of a length that changes at once, relative to constant speed: a bent map supports any.
   constexpr double kUnusualLikelihood = 0.85;
   if (!track.T_by_corners || scorer.is_lost(by_edges)) return by_edges;
-  if (explained_share(pinhole_of(task), track.corners, by_edges.T_cur_ref) >= kFewExplained) return by_edges;
+  if (explained_share(pinhole_of(task), track.corners, by_edges.T_cur_ref) >= kMinExplained) return by_edges;
   const auto of_length = [&](PoseHypothesis::Refinement refinement) {
     return align(task.pyramid, task.reference.cloud, {*track.T_by_corners, refinement},
                  task.params.alignment);

@@ -18,7 +18,7 @@ constexpr double kMovingSigmas = 3;
 // Sigmas on any axis: a larger difference from the median is not by chance.
 constexpr double kUnusualSigmas = 5;
 // Pixels at kReferenceWidth: the image cannot distinguish two poses that are less apart.
-constexpr double kLeastFlowPx = 2;
+constexpr double kMinFlowPx = 2;
 // Sigmas around the median step in which the pose is searched.
 constexpr double kNearSigmas = 3;
 // Likelihood of an unusual step relative to the median step: if the image shows the unusual one, the median
@@ -87,7 +87,7 @@ bool MedianMotionPrior::is_unusual(const SE3& T_cur_ref) const {
 bool MedianMotionPrior::is_apart(const Pinhole& pinhole, const ReferenceCloud& cloud,
                                  const SE3& T_cur_ref) const {
   return at_reference_width(pinhole, rms_flow_px(pinhole, cloud.points, T_expected_ref_, T_cur_ref)) >
-         kLeastFlowPx;
+         kMinFlowPx;
 }
 
 PoseHypothesis MedianMotionPrior::hypothesis() const {

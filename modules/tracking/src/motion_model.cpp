@@ -55,7 +55,7 @@ Eigen::Vector3d MotionModel::usual_step() const {
 void MotionModel::begin_frame(Timestamp time) {
   newest_ = clock_.tick(time);
   const bool known = newest_.seconds > 0 && (frames_since_ == 0 || seconds_since_ > 0);
-  frames_since_ = std::min(frames_since_ + newest_.frames, FrameClock::kMostFrames);
+  frames_since_ = std::min(frames_since_ + newest_.frames, FrameClock::kMaxFrames);
   seconds_since_ = known ? seconds_since_ + newest_.seconds : 0;
 }
 

@@ -80,7 +80,7 @@ TEST(DoubtOfCornerScale, CountsAUnitThatFallsRisesOrCreeps) {
   }
   CornerEvidence collapsed = good_corners();
   collapsed.change_10 = 15;
-  EXPECT_EQ(doubt_of_corner_scale(collapsed), kMostDoubt)
+  EXPECT_EQ(doubt_of_corner_scale(collapsed), kMaxDoubt)
       << "a factor of three million is no more than certain";
 }
 
@@ -102,7 +102,7 @@ TEST(DoubtWithoutWitness, IsOneUnlessCornersAreCertain) {
   for (const CornerEvidence& c : {few, blind, fresh}) {
     EXPECT_EQ(doubt_without_witness(c, kSure), 1);
     for (const double sigma : {kNoInformation, kUnknown})
-      EXPECT_EQ(doubt_without_witness(c, sigma), kMostDoubt) << "the image knows nothing, either";
+      EXPECT_EQ(doubt_without_witness(c, sigma), kMaxDoubt) << "the image knows nothing, either";
   }
 }
 

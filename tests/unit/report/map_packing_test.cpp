@@ -101,7 +101,7 @@ TEST(MapPacking, GapsOfThePathAreNaN) {
 
 TEST(MapPacking, AFullMapFitsIntoThePage) {
   MapView view;
-  view.vertices = row_of_points(kMostMapVertices);
+  view.vertices = row_of_points(kMaxMapVertices);
   for (size_t i = 0; i < view.vertices.size(); ++i) view.vertices[i].joined = i % 5 != 0;
   EXPECT_LT(packed(view).size(), 3'500'000u);
 }
@@ -140,7 +140,7 @@ TEST(MapPacking, ThinsOneVeryLongLine) {
 TEST(MapView, ReportsDroppedVertices) {
   MapView view;
   view.unit = "m";
-  view.vertices = row_of_points(kMostMapVertices + 1000);
+  view.vertices = row_of_points(kMaxMapVertices + 1000);
   EXPECT_THAT(draw(view), HasSubstr("300000 vertices of the map, taken evenly from 301000"));
   EXPECT_EQ(draw(MapView()), "");
 }

@@ -16,10 +16,10 @@ TEST(WriterThread, RunsItsTasksInOrderInAnotherThread) {
   std::thread::id thread;
   {
     WriterThread writer;
-    for (int i = 0; i < 3 * int(WriterThread::kMost); ++i) writer.post([&done, i] { done.push_back(i); });
+    for (int i = 0; i < 3 * int(WriterThread::kMax); ++i) writer.post([&done, i] { done.push_back(i); });
     writer.post([&thread] { thread = std::this_thread::get_id(); });
     writer.wait();
-    ASSERT_EQ(done.size(), 3 * WriterThread::kMost);
+    ASSERT_EQ(done.size(), 3 * WriterThread::kMax);
     for (int i = 0; i < int(done.size()); ++i) EXPECT_EQ(done[size_t(i)], i);
     EXPECT_NE(thread, std::this_thread::get_id());
     writer.post([&done] { done.push_back(-1); });
@@ -34,11 +34,11 @@ TEST(WriterThread, ASlowTaskHoldsNobodyUpUntilManyWait) {
   writer.post([&] {
     while (!go_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   });
-  for (size_t i = 0; i + 1 < WriterThread::kMost; ++i) writer.post([&done] { ++done; });
+  for (size_t i = 0; i + 1 < WriterThread::kMax; ++i) writer.post([&done] { ++done; });
   EXPECT_EQ(done, 0);
   go_on = true;
   writer.wait();
-  EXPECT_EQ(done, int(WriterThread::kMost) - 1);
+  EXPECT_EQ(done, int(WriterThread::kMax) - 1);
 }
 
 TEST(WriterThread, AFailureIsThrownOnceAndEndsTheWork) {

@@ -53,9 +53,9 @@ double slope(const KannalaBrandtModel& m, double angle) {
 
 // Newton's method within a shrinking interval of [0, max_angle], where the radius grows with the angle.
 double angle_at(const KannalaBrandtModel& m, double r, double max_angle) {
-  constexpr int kMostSteps = 100;
+  constexpr int kMaxSteps = 100;
   double low = 0, high = max_angle, angle = std::min(r, max_angle);
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double error = radius(m, angle) - r;
     (error < 0 ? low : high) = angle;
     double next = angle - error / slope(m, angle);
@@ -90,7 +90,7 @@ PixelJacobian KannalaBrandtModel::jacobian(const Vector3d& ray) const {
 // The first angle at which the slope is too small, found on a grid of less than a degree.
 double KannalaBrandtModel::max_angle() const {
   constexpr int kSteps = 200;
-  const auto is_steep = [&](double angle) { return slope(*this, angle) >= kLeastSlope; };
+  const auto is_steep = [&](double angle) { return slope(*this, angle) >= kMinSlope; };
   double good = 0;
   for (int i = 1; i <= kSteps; ++i) {
     const double angle = kHalfTurn * i / kSteps;

@@ -13,7 +13,7 @@ namespace edgevo {
 constexpr double kRightAngle = 1.5707963267948966, kHalfTurn = 3.141592653589793;
 /// Slope of a distortion, 1 on the axis, at which its range ends: below it the inverse would amplify errors
 /// of pixels more than a thousandfold.
-constexpr double kLeastSlope = 1e-3;
+constexpr double kMinSlope = 1e-3;
 /// Halvings of an interval that exhaust the digits of a double.
 constexpr int kHalvings = 60;
 
@@ -53,12 +53,12 @@ template <class Distort, class Jacobian, class InRange>
 std::optional<Eigen::Vector2d> solve_distortion(const Eigen::Vector2d& x_d, const Eigen::Vector2d& start,
                                                 const Distort& distort, const Jacobian& jacobian,
                                                 const InRange& in_range) {
-  constexpr int kMostSteps = 30;          // more than any point within a model's range needs
+  constexpr int kMaxSteps = 30;           // more than any point within a model's range needs
   constexpr double kErrorSquare = 1e-26;  // the documented 1e-12, with a margin
   constexpr double kFoldedOver = 1e-6;    // of the determinant, 1 on the axis
   const double size = std::max(1.0, x_d.norm());
   Eigen::Vector2d x = start;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const Eigen::Vector2d error = distort(x) - x_d;
     if (error.squaredNorm() < kErrorSquare * size * size)
       return in_range(x) ? std::optional<Eigen::Vector2d>(x) : std::nullopt;

@@ -60,7 +60,7 @@ Eigen::Matrix2d distortion_jacobian(const Distortion& d, const Eigen::Vector2d& 
 }
 
 // NaN where the radius is infinite compares as false.
-bool is_in_range(const Distortion& d, double radius) { return least_slope(d, radius) >= kLeastSlope; }
+bool is_in_range(const Distortion& d, double radius) { return least_slope(d, radius) >= kMinSlope; }
 
 double range_angle(const Distortion& d) {
   return last_that_holds(0, kRightAngle, [&](double angle) { return is_in_range(d, std::tan(angle)); });

@@ -11,7 +11,7 @@ namespace edgevo {
 Eigen::Vector2d distort(const Distortion& d, const Eigen::Vector2d& x);
 /// d distort / d x, symmetric.
 Eigen::Matrix2d distortion_jacobian(const Distortion& d, const Eigen::Vector2d& x);
-/// Whether distort() is one-to-one on the disc of this radius, with a margin (kLeastSlope). False for NaN.
+/// Whether distort() is one-to-one on the disc of this radius, with a margin (kMinSlope). False for NaN.
 bool is_in_range(const Distortion& d, double radius);
 /// Angle whose tangent is the largest radius that is_in_range(), radians.
 double range_angle(const Distortion& d);

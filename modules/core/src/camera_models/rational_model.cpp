@@ -53,7 +53,7 @@ double slope(const RationalDistortion& d, double r) {
 // Whether the image neither folds over nor runs to a pole here, with margins.
 bool is_regular(const RationalDistortion& d, double angle) {
   const double s = slope(d, std::tan(angle));
-  return s >= kLeastSlope && s <= 1 / kLeastSlope;
+  return s >= kMinSlope && s <= 1 / kMinSlope;
 }
 
 Vector2d without_radial(const RationalDistortion& d, const Vector2d& x_d, double max_angle) {

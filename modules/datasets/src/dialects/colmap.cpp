@@ -31,7 +31,7 @@ ColmapCamera camera_of_line(const TextLine& line) {
 
 // ---- cameras.bin ----
 
-constexpr uint64_t kMostCameras = 1000000;
+constexpr uint64_t kMaxCameras = 1000000;
 
 // Reads values in the byte order of the file, which is that of every machine that COLMAP runs on.
 class Bytes {
@@ -105,7 +105,7 @@ bool is_colmap_binary(const std::string& text) {
   Bytes bytes(text);
   uint64_t count = 0;
   BinaryHead head;
-  return bytes.read(&count) && count > 0 && count < kMostCameras && read_head(&bytes, &head) &&
+  return bytes.read(&count) && count > 0 && count < kMaxCameras && read_head(&bytes, &head) &&
          head.model >= 0 && head.model < 100 && head.width > 0 && head.width < 1000000 && head.height > 0 &&
          head.height < 1000000;
 }

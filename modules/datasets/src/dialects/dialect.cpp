@@ -10,10 +10,10 @@ namespace edgevo {
 namespace {
 
 std::string listed(const NamedCameras& cameras) {
-  constexpr size_t kMost = 8;
+  constexpr size_t kMax = 8;
   std::string text;
-  for (size_t i = 0; i < std::min(kMost, cameras.size()); ++i) text += (i == 0 ? "" : ", ") + cameras[i].name;
-  return text + (cameras.size() > kMost ? ", ..." : "");
+  for (size_t i = 0; i < std::min(kMax, cameras.size()); ++i) text += (i == 0 ? "" : ", ") + cameras[i].name;
+  return text + (cameras.size() > kMax ? ", ..." : "");
 }
 
 }  // namespace

@@ -15,10 +15,10 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMostDrawings = 30;  // ground truths with a drawing
-constexpr size_t kMostLines = 40;     // lines of one drawing: more cannot be distinguished
-constexpr size_t kMostNamed = 8;      // lines with a colour of their own
-constexpr size_t kMostPoints = 400;   // points of a line
+constexpr size_t kMaxDrawings = 30;  // ground truths with a drawing
+constexpr size_t kMaxLines = 40;     // lines of one drawing: more cannot be distinguished
+constexpr size_t kMaxNamed = 8;      // lines with a colour of their own
+constexpr size_t kMaxPoints = 400;   // points of a line
 
 using Group = std::vector<const RunFigures*>;  // runs with the same truth, the worst first
 
@@ -43,18 +43,18 @@ std::vector<Group> groups_of(const std::vector<RunFigures>& figures) {
 }
 
 PlanLine line_of(const std::string& name, const char* color, const GroundPath& path) {
-  return {name, color, false, {thinned(path, kMostPoints)}};
+  return {name, color, false, {thinned(path, kMaxPoints)}};
 }
 
 // Draws all runs of a small group, or the worst and the best of a large one, in colours of their own; the
 // others pale below them.
 Plan plan_of(const Group& group) {
-  static const char* const kColors[kMostNamed] = {palette::kRed,    palette::kOrange, palette::kAmber,
-                                                  palette::kPurple, palette::kViolet, palette::kTeal,
-                                                  palette::kGreen,  palette::kBlue};
+  static const char* const kColors[kMaxNamed] = {palette::kRed,    palette::kOrange, palette::kAmber,
+                                                 palette::kPurple, palette::kViolet, palette::kTeal,
+                                                 palette::kGreen,  palette::kBlue};
   Plan plan{"m", {}, {}};
-  const size_t drawn = std::min(group.size(), kMostLines);
-  const bool all_named = drawn <= kMostNamed;
+  const size_t drawn = std::min(group.size(), kMaxLines);
+  const bool all_named = drawn <= kMaxNamed;
   for (size_t i = 1; !all_named && i + 1 < drawn; ++i)
     plan.lines.push_back(line_of(i == 1 ? "others" : "", palette::kPaleBlue, group[i]->path));
   plan.lines.push_back(line_of("ground truth", palette::kInk, group.front()->truth_path));
@@ -62,7 +62,7 @@ Plan plan_of(const Group& group) {
     const bool named = all_named || i == 0 || i + 1 == drawn;
     if (named)
       plan.lines.push_back(
-          line_of(group[i]->run->name, kColors[i == 0 ? 0 : std::min(i, kMostNamed - 1)], group[i]->path));
+          line_of(group[i]->run->name, kColors[i == 0 ? 0 : std::min(i, kMaxNamed - 1)], group[i]->path));
   }
   return plan;
 }
@@ -82,8 +82,7 @@ std::string overlay_section(const Group& group, size_t number) {
   body += note_html(
       "Each path is aligned with the truth by its own Sim(3); forward is the initial viewing direction of "
       "the true camera." +
-      std::string(group.size() > kMostLines ? " Drawn are the " + std::to_string(kMostLines) + " worst."
-                                            : ""));
+      std::string(group.size() > kMaxLines ? " Drawn are the " + std::to_string(kMaxLines) + " worst." : ""));
   return section_html("paths" + std::to_string(number), title_of(group), body);
 }
 
@@ -122,7 +121,7 @@ std::string compare_html(const std::vector<ComparedRun>& runs) {
                              "has the largest error relative to its path.") +
                        run_table_html(figures));
   const std::vector<Group> groups = groups_of(figures);
-  for (size_t i = 0; i < std::min(groups.size(), kMostDrawings); ++i)
+  for (size_t i = 0; i < std::min(groups.size(), kMaxDrawings); ++i)
     body += overlay_section(groups[i], i + 1);
   return page_html("edgevo compare", std::to_string(runs.size()) + (runs.size() == 1 ? " run" : " runs"),
                    body);

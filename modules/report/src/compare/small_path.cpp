@@ -10,7 +10,7 @@ namespace edgevo {
 namespace {
 
 constexpr double kPictureWidth = 110, kPictureHeight = 70, kMargin = 4;
-constexpr size_t kMostPoints = 80;
+constexpr size_t kMaxPoints = 80;
 
 // Maps the ground to the picture: forward is up, left is left, one scale.
 struct Frame {
@@ -29,7 +29,7 @@ struct Frame {
 
 std::string line(const GroundPath& path, const Frame& frame, const char* color, const char* width) {
   std::string d;
-  for (const auto& p : thinned(path, kMostPoints)) d += (d.empty() ? "M" : "L") + frame.at(p);
+  for (const auto& p : thinned(path, kMaxPoints)) d += (d.empty() ? "M" : "L") + frame.at(p);
   return "<path fill=\"none\" style=\"stroke:" + std::string(color) + ";stroke-width:" + width + "\" d=\"" +
          d + "\"/>";
 }

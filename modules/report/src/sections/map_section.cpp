@@ -12,7 +12,7 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMostPixels = 1000, kFewestPixels = 500;  // along the longer side of the picture
+constexpr int kMaxPixels = 1000, kMinPixels = 500;  // along the longer side of the picture
 
 cv::Vec3b color_of(GridCell cell) {
   switch (cell) {
@@ -32,8 +32,8 @@ class GridPicture {
  public:
   explicit GridPicture(const OccupancyGrid& grid) : grid_(grid) {
     const int longer = std::max(grid.width, grid.height);
-    cells_a_pixel_ = 1 + (longer - 1) / kMostPixels;
-    pixels_a_cell_ = std::max(1, kFewestPixels / longer);
+    cells_a_pixel_ = 1 + (longer - 1) / kMaxPixels;
+    pixels_a_cell_ = std::max(1, kMinPixels / longer);
     draw_cells();
   }
   void draw_path(const std::vector<std::optional<Eigen::Vector3d>>& path) {

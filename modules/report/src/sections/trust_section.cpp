@@ -29,17 +29,17 @@ TimeChart p_right_chart(const Run& run) {
 }
 
 std::string interval_table(const Run& run) {
-  constexpr size_t kMostRows = 20;
+  constexpr size_t kMaxRows = 20;
   const std::vector<DoubtfulInterval> all = doubtful_intervals(run);
   if (all.empty()) return note_html("No frame is doubtful.");
   std::vector<std::vector<std::string>> rows;
-  for (const DoubtfulInterval& d : longest(all, kMostRows))
+  for (const DoubtfulInterval& d : longest(all, kMaxRows))
     rows.push_back({std::to_string(d.first_frame) + " to " + std::to_string(d.last_frame),
                     std::to_string(d.frames), why(d)});
-  const std::string more = all.size() > kMostRows ? note_html("The longest " + std::to_string(kMostRows) +
-                                                              " of " + std::to_string(all.size()) +
-                                                              " intervals; all of them: summary.yaml.")
-                                                  : "";
+  const std::string more =
+      all.size() > kMaxRows ? note_html("The longest " + std::to_string(kMaxRows) + " of " +
+                                        std::to_string(all.size()) + " intervals; all of them: summary.yaml.")
+                            : "";
   return table_html({"frames", "doubtful", "mostly because"}, rows) + more;
 }
 

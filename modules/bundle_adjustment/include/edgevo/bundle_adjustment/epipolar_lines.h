@@ -11,7 +11,7 @@ namespace edgevo {
 /// Length of a line's normal, on the image plane z = 1 and for a baseline of 1, below which it has no
 /// direction (a point at the epipole). Keeps a division finite; at a pixel from the epipole the length is
 /// about 1e-3.
-constexpr double kLeastLineLength = 1e-12;
+constexpr double kMinLineLength = 1e-12;
 
 /// Epipolar lines of two viewing rays x and y, each (x, y, 1), of one point.
 struct EpipolarLines {
@@ -27,7 +27,7 @@ inline EpipolarLines epipolar_lines(const SE3& T_to_from, const Eigen::Vector3d&
                                     const Eigen::Vector3d& y) {
   const Eigen::Vector3d t = T_to_from.translation(), in_to = t.cross(T_to_from.rotation() * x);
   const Eigen::Vector3d in_from = T_to_from.rotation().inverse() * y.cross(t);
-  return {in_to, std::max(std::hypot(in_to.head<2>().norm(), in_from.head<2>().norm()), kLeastLineLength)};
+  return {in_to, std::max(std::hypot(in_to.head<2>().norm(), in_from.head<2>().norm()), kMinLineLength)};
 }
 
 }  // namespace edgevo

@@ -16,6 +16,7 @@
 #include <string>
 
 #include "edgevo/confidence/recent_values.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/se3.h"
 
@@ -115,7 +116,7 @@ class Trust {
   // Over the last ten frames.
   struct Motion {
     double turn_rad = 0, length = 0;
-    double turn_deg() const { return 180 / M_PI * turn_rad; }
+    double turn_deg() const { return deg(turn_rad); }
   };
   Motion motion_of(const TrustFrame& frame);
 

@@ -35,12 +35,12 @@ inline Eigen::Vector2d radial_derivative(const Eigen::Vector2d& x) { return x * 
 inline Eigen::Vector2d remove_radial(double k1, const Eigen::Vector2d& x_file, double k2 = 0) {
   const double r_file = x_file.norm();
   if ((k1 == 0 && k2 == 0) || r_file == 0) return x_file;
-  constexpr int kSteps = 8;             // each doubles the correct digits: more than enough
-  constexpr double kLeastSlope = 1e-3;  // d r_file / d r, 1 on the axis: below it the model folds over
+  constexpr int kSteps = 8;           // each doubles the correct digits: more than enough
+  constexpr double kMinSlope = 1e-3;  // d r_file / d r, 1 on the axis: below it the model folds over
   double r = r_file;
   for (int i = 0; i < kSteps; ++i) {
     const double r2 = r * r, slope = 1.0 + (3.0 * k1 + 5.0 * k2 * r2) * r2;
-    if (!(slope > kLeastSlope)) break;
+    if (!(slope > kMinSlope)) break;
     r -= (r * (1.0 + (k1 + k2 * r2) * r2) - r_file) / slope;
   }
   return x_file * (r / r_file);

@@ -290,8 +290,8 @@ struct Run {
   /// Whether the factor changed along the run by more than drift explains: the odometry itself was then
   /// wrong, and so may be the metres between the measurements.
   bool scale_varies() const {
-    constexpr double kMostDrift = 1.3;  // over hundreds of metres a monocular scale drifts by a tenth
-    return scale.highest > kMostDrift * scale.lowest;
+    constexpr double kMaxDrift = 1.3;  // over hundreds of metres a monocular scale drifts by a tenth
+    return scale.highest > kMaxDrift * scale.lowest;
   }
 };
 

@@ -25,7 +25,7 @@ void begin_trace();
 /// time, also after an interruption.
 std::string end_trace();
 /// Number of scopes that a thread keeps: its newest ones, some hours of a run.
-constexpr size_t kMostTracedScopes = size_t(1) << 20;
+constexpr size_t kMaxTracedScopes = size_t(1) << 20;
 
 /// Names the lane of the calling thread; `name` is a literal. The first name stays.
 void name_traced_thread(const char* name);

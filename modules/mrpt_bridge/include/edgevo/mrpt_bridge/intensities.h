@@ -19,9 +19,9 @@
 namespace edgevo {
 
 /// Fewest bits that may be named by --bits.
-constexpr int kLeastBits = 8;
+constexpr int kMinBits = 8;
 /// Most bits of an image.
-constexpr int kMostBits = 16;
+constexpr int kMaxBits = 16;
 /// Number of images from which the scaling of a sequence is decided.
 constexpr int kIntensitySamples = 10;
 

@@ -41,7 +41,7 @@ struct MapKeyframe {
 struct MapView {
   /// Unit of all lengths: "m" or "units".
   std::string unit;
-  /// Points and lines. More than kMostMapVertices are thinned evenly, and the page says so.
+  /// Points and lines. More than kMaxMapVertices are thinned evenly, and the page says so.
   std::vector<MapVertex> vertices;
   /// Keyframes in time order.
   std::vector<MapKeyframe> keyframes;
@@ -52,7 +52,7 @@ struct MapView {
 };
 
 /// Largest number of vertices in a page: 3.3 MB at 11 bytes each, drawn by one core of a laptop in 0.1 s.
-constexpr size_t kMostMapVertices = 300'000;
+constexpr size_t kMaxMapVertices = 300'000;
 
 /// Edge points that `filter` keeps, keyframe by keyframe in the order of edges.ply, in the unit of the run.
 std::vector<MapVertex> map_points(const Run& run, const PointFilter& filter);

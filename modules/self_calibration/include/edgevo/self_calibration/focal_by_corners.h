@@ -26,7 +26,7 @@ struct FocalError {
 };
 
 /// Largest error that is found, to either side: a true one beyond it comes out as this.
-constexpr double kMostFocalError = 0.7;
+constexpr double kMaxFocalError = 0.7;
 
 /// Measures the focal length in windows of views, for one thread; deterministic.
 class FocalByCorners {

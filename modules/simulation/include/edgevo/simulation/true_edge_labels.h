@@ -25,7 +25,7 @@ enum class TrueEdge : uint8_t { none = 0, texture = 85, crease = 170, depth_step
 
 /// Slope of the clean image, gray levels per pixel, from which a change of gray is an edge of texture: the
 /// least gradient that detectors accept by default (`edges.min_gradient`).
-constexpr float kLeastTextureSlope = 3;
+constexpr float kMinTextureSlope = 3;
 
 /// Labels of frame `index`, 0 <= index < renderer.size(): TrueEdge as gray. Any thread. Cost: two renderings.
 GrayImage true_edge_labels(const SceneRenderer& renderer, int index);

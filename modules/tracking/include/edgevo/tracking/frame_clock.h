@@ -16,7 +16,7 @@ class FrameClock {
  public:
   /// Step from one processed frame to the next.
   struct Step {
-    /// Number of frame intervals: 1 if no frame was skipped, at most kMostFrames.
+    /// Number of frame intervals: 1 if no frame was skipped, at most kMaxFrames.
     int frames = 1;
     /// Duration in seconds; 0: not known.
     double seconds = 0;
@@ -30,13 +30,13 @@ class FrameClock {
   void set_back(Timestamp time) { newest_ = time; }
 
   /// Most skipped frames in a row: beyond them nothing can be predicted, and a sum of steps stays finite.
-  static constexpr int kMostFrames = 100;
+  static constexpr int kMaxFrames = 100;
 
  private:
   /// Recent intervals kept: even with a third of the frames missing, their lower quartile is one frame's.
   static constexpr size_t kIntervals = 15;
   /// Intervals needed before a usual one is known.
-  static constexpr size_t kFewIntervals = 3;
+  static constexpr size_t kMinIntervals = 3;
 
   std::optional<Timestamp> newest_;
   std::deque<double> intervals_;  // the most recent ones, seconds

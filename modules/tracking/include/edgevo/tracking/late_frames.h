@@ -23,8 +23,8 @@ class LateFrames {
   void clear() { frames_.clear(); }
   /// Beyond the bound the oldest is lost.
   void add(const ArrivedFrame& arrived) {
-    constexpr size_t kMost = 24;
-    if (frames_.size() >= kMost) frames_.pop_front();
+    constexpr size_t kMax = 24;
+    if (frames_.size() >= kMax) frames_.pop_front();
     frames_.push_back({{arrived.frame.index, arrived.frame.time, {}, {}}, arrived.pyramid, arrived.rows});
   }
   /// Drops the frames up to this index.
