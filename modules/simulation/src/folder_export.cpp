@@ -2,6 +2,8 @@
 #include "edgevo/simulation/folder_export.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <opencv2/imgcodecs.hpp>
@@ -35,12 +37,20 @@ void write_pfm(const std::string& path, const std::vector<float>& depth, int wid
   write_file(path, bytes);
 }
 
+// Seven decimals, or as many digits as give the number back: a run of the folder is that of the scene.
+std::string exact(double value) {
+  std::string text = fixed(value, 7);
+  if (std::strtod(text.c_str(), nullptr) == value) return text;
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
 std::string camera_line(const Camera& camera) {
   const Pinhole p = camera.pinhole();
   const Distortion d = camera.distortion();
   std::string text = "# fx fy cx cy k1 k2 p1 p2 width height k3\n";
-  for (double value : {p.fx, p.fy, p.cx, p.cy, d.k1, d.k2, d.p1, d.p2}) text += fixed(value, 7) + " ";
-  return text + std::to_string(p.width) + " " + std::to_string(p.height) + " " + fixed(d.k3, 7) + "\n";
+  for (double value : {p.fx, p.fy, p.cx, p.cy, d.k1, d.k2, d.p1, d.p2}) text += exact(value) + " ";
+  return text + std::to_string(p.width) + " " + std::to_string(p.height) + " " + exact(d.k3) + "\n";
 }
 
 std::string pose_line(Timestamp time, const SE3& T) {

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <string>
 
@@ -50,6 +51,17 @@ TEST(FolderExport, FirstPoseIsTheIdentityAndDepthIsExact) {
   float bottom_left = 0;
   std::memcpy(&bottom_left, pfm.data() + header.size(), sizeof bottom_left);
   EXPECT_EQ(bottom_left, renderer.render_depth(3)[479 * 640]);
+}
+
+TEST(FolderExport, TheCameraOfADrawnSceneReadsBackDigitByDigit) {
+  const SceneRenderer renderer(load_scene("open_land", 4));
+  FolderExport options;
+  options.begin = 0, options.end = 1;
+  const test::TempFolder temp;
+  export_folder(renderer, temp / "land", options);
+  const std::string text = content(temp / "land/camera.txt");
+  const double fx = std::strtod(text.c_str() + text.find('\n'), nullptr);
+  EXPECT_EQ(fx, renderer.scene().camera.pinhole().fx);
 }
 
 TEST(FolderWriter, NamesThatWouldPlayInAnotherOrderAreRefused) {
