@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From the evidence on a frame to its status: the one place where thresholds are applied to it. The same
-// functions select among the candidate poses of a frame, so that the selected one is lost only if all are.
+// From the evidence on a frame to its status. The same functions select among the candidate poses of a frame,
+// so that the selected one is lost only if all are. A step that is many times the usual one makes a frame
+// LOST or DEGRADED elsewhere (tracking/motion_model.h, odometry/src/frame_log.cpp).
 #include <functional>
 #include <string>
 
@@ -18,7 +19,7 @@ enum class PoseSupport {
   /// The pose is not finite.
   kDiverged,
   /// Fewer than `min_visible` map points lie in view.
-  kFewPoints,
+  kMinPoints,
   /// The inlier share is below `lost_share`.
   kUnsupported,
   /// The inlier share is below `degraded_share`.

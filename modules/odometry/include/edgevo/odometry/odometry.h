@@ -4,8 +4,8 @@
 //   Frame -> edge pyramid -> alignment -> (keyframe?) -> association -> window BA -> map -> records
 // States: BOOTSTRAPPING until two views make a map; TRACKING or DEGRADED while frames align; LOST when one
 // does not. A loss discards nothing: relocalisation in the old map is tried for some frames while a new
-// bootstrap runs. When the bootstrap succeeds, a new segment begins, joined to the old one by constant
-// velocity (position, orientation and, by equal speed, scale); FrameRecord::segment marks the join.
+// bootstrap runs. When the bootstrap succeeds, a new segment begins, joined to the old one by
+// features that both show, else by constant velocity, a guess; FrameRecord::segment marks the join.
 #include <functional>
 #include <memory>
 #include <optional>

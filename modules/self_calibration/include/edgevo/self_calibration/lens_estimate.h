@@ -2,8 +2,8 @@
 #pragma once
 // The whole camera from the matches of a map: focal length, principal point and radial distortion that the
 // camera file has wrong, each with its standard deviation. For a camera that is hardly known
-// (calibration/camera_from_motion.h); a run itself corrects only k1 and the read-out time
-// (self_calibration.h).
+// (calibration/camera_from_motion.h); a run itself corrects k1, the read-out time and the focal
+// length (self_calibration.h).
 #include <Eigen/Core>
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
