@@ -9,11 +9,12 @@
 
 namespace edgevo {
 
-// Gate on the angle between the two edge normals, signed: 45 degrees.
+/// Gate on the angle between the two edge normals, signed: 45 degrees.
 constexpr double kMinNormalCosine = 0.7;
 
 /// Edge pixel that a projected point is matched with.
 struct EdgeMatch {
+  /// Whether there is one; the other members hold then.
   bool found = false;
   /// Unit gradient g(n) of the edge.
   Eigen::Vector2d normal;

@@ -29,6 +29,7 @@ const char* name_of(Stage stage);
 /// Records the CPU time from its construction to its destruction.
 class StageTimer {
  public:
+  /// `times` must outlive this; the stage is appended to it.
   StageTimer(Stage stage, StageTimes* times)
       : traced_(name_of(stage)), stage_(stage), times_(times), start_(thread_cpu_ms()) {}
   ~StageTimer() { times_->emplace_back(name_of(stage_), thread_cpu_ms() - start_); }

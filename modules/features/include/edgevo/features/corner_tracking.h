@@ -8,6 +8,7 @@
 
 namespace edgevo {
 
+/// Pixels of corners.
 using Corners = std::vector<cv::Point2f>;
 
 /// The finest image with equalised histogram, so that exposure does not matter.

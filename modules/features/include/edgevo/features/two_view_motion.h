@@ -11,6 +11,7 @@
 
 namespace edgevo {
 
+/// A motion between two views, and how well the corners fit it.
 struct TwoViewMotion {
   /// Motion between the views, |translation| = 1.
   SE3 T_last_first;

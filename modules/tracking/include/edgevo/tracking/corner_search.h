@@ -13,10 +13,15 @@ namespace edgevo {
 
 /// A frame that calls for corners, with all that its tracking knew.
 struct CornerJob {
+  /// Edge pyramid of the frame.
   std::shared_ptr<const FramePyramid> pyramid;
+  /// What the frame was tracked against.
   std::shared_ptr<const Reference> reference;
+  /// Motion model before the frame.
   MotionModel motion;
+  /// Keyframe policy before the frame.
   KeyframePolicy keyframes;
+  /// How the rows of the frame's image were rectified.
   RowRectification rows;
   /// Pose by the edges.
   PoseCandidate by_edges;
@@ -27,6 +32,7 @@ struct CornerJob {
 /// Searches corners in a thread of its own, of one frame at a time; for the tracking thread.
 class CornerSearch {
  public:
+  /// `seed`: that of the run.
   CornerSearch(const TrackingParams& params, uint64_t seed);
 
   /// Whether a search is under way.

@@ -20,11 +20,17 @@ namespace edgevo {
 
 /// All that is known before a frame is tracked. Only the random numbers change.
 struct TrackingTask {
+  /// Edge pyramid of the frame.
   const FramePyramid& pyramid;
+  /// What the frame is tracked against.
   const Reference& reference;
+  /// Motion model before the frame.
   const MotionModel& motion;
+  /// Keyframe policy before the frame.
   const KeyframePolicy& keyframes;
+  /// Parameters of tracking.
   const TrackingParams& params;
+  /// How the rows of the frame's image were rectified.
   RowRectification rows;
   /// True if the frame before has no pose.
   bool was_lost = false;

@@ -38,9 +38,13 @@ struct TrackingOptions {
 
 /// A frame while it is processed.
 struct ArrivedFrame {
+  /// Image and time; must outlive this.
   const Frame& frame;
+  /// Its edge pyramid.
   std::shared_ptr<const FramePyramid> pyramid;
+  /// How the rows of its image were rectified.
   RowRectification rows;
+  /// Record of the frame; null until it is begun.
   FrameRecord* record;
 };
 
@@ -92,6 +96,7 @@ class FrontEnd {
   const Rectification& rectification() const { return rectification_; }
   /// Correction that is applied to the images.
   ImageCorrection correction() const { return builder_.correction(); }
+  /// Applies another correction from the next image on.
   void set_correction(const ImageCorrection& correction) { builder_.set_correction(correction); }
   /// Frames in a row that would have become keyframes had mapping not been busy.
   int postponed_keyframes() const { return keyframes_.postponed(); }

@@ -59,7 +59,9 @@ bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframePar
 
 /// Decision on a tracked frame.
 struct KeyframeDecision {
+  /// What happens with the frame.
   enum class Action {
+    /// Nothing: it is tracked only.
     kNone,
     /// Make the frame a keyframe.
     kMake,
@@ -68,6 +70,7 @@ struct KeyframeDecision {
     /// Track the next frames against `return_to`.
     kReturn,
   };
+  /// The decision.
   Action action = Action::kNone;
   /// The criterion that called for a keyframe.
   KeyframeReason reason = KeyframeReason::kNone;
@@ -78,6 +81,7 @@ struct KeyframeDecision {
 /// Decides on keyframes and counts the frames between them.
 class KeyframePolicy {
  public:
+  /// `pinhole`: of the working images.
   KeyframePolicy(const Pinhole& pinhole, const KeyframeParams& params) : pinhole_(pinhole), params_(params) {}
 
   /// Decides on a frame with a pose. `is_mapping_busy`: another keyframe is not finished yet.

@@ -11,15 +11,20 @@ namespace edgevo {
 
 /// A frame without its image.
 struct LateFrame {
+  /// Index and time.
   Frame frame;
+  /// Its edge pyramid.
   std::shared_ptr<const FramePyramid> pyramid;
+  /// How the rows of its image were rectified.
   RowRectification rows;
 };
 
 /// A queue of such frames, bounded like what a camera may have waiting.
 class LateFrames {
  public:
+  /// Whether no frame waits.
   bool empty() const { return frames_.empty(); }
+  /// Drops all frames.
   void clear() { frames_.clear(); }
   /// Beyond the bound the oldest is lost.
   void add(const ArrivedFrame& arrived) {

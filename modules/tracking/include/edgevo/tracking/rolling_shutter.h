@@ -18,6 +18,7 @@ struct RowRectification {
   /// Cameras of the raw and of the rectified images.
   Rectification cameras = {};
 
+  /// Whether the rows were taken one after another.
   bool is_rolling() const { return row_time_s != 0; }
 };
 
