@@ -37,7 +37,7 @@ std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t came
       "// (share/training/README.md) from " +
       std::to_string(runs) + " runs of " + std::to_string(cameras) +
       " cameras: not to be edited.\n"
-      "#include <array>\n\n#include \"edgevo/odometry/trust.h\"\n\nnamespace edgevo::trust_table {\n\n"
+      "#include <array>\n\n#include \"edgevo/confidence/trust.h\"\n\nnamespace edgevo::trust_table {\n\n"
       "/// What a doubt adds to the sum, per unit of the doubt: at least 0, since all of them speak against "
       "the\n"
       "/// motion. 0: the other doubts say as much.\n"

@@ -84,7 +84,7 @@ cv::Vec3b colour_of(const EdgeLoss& l) {  // blue, green, red
   }
   if (l.stage == EdgeStage::kAlongMotion || l.stage == EdgeStage::kNoMotion) return {255, 120, 40};
   if (l.stage == EdgeStage::kUncertain) return {255, 255, 0};
-  if (l.stage == EdgeStage::kMinViews || l.stage == EdgeStage::kNoSupport) return {255, 0, 255};
+  if (l.stage == EdgeStage::kFewViews || l.stage == EdgeStage::kNoSupport) return {255, 0, 255};
   return {0, 140, 255};
 }
 

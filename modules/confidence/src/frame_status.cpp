@@ -31,7 +31,7 @@ std::string reason_of(PoseSupport support, const FrameEvidence& evidence, const 
   switch (support) {
     case PoseSupport::kDiverged:
       return "alignment diverged";
-    case PoseSupport::kMinPoints:
+    case PoseSupport::kFewPoints:
       return format("only %.0f map points in view, %.0f are needed", evidence.visible_points.value_or(0),
                     params.min_visible);
     case PoseSupport::kUnsupported:
@@ -76,7 +76,7 @@ void StatusParams::visit(ParamVisitor& v) {
 
 PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) {
   if (evidence.diverged) return PoseSupport::kDiverged;
-  if (evidence.visible_points.value_or(0) < params.min_visible) return PoseSupport::kMinPoints;
+  if (evidence.visible_points.value_or(0) < params.min_visible) return PoseSupport::kFewPoints;
   if (evidence.inlier_share < params.lost_share) return PoseSupport::kUnsupported;
   if (evidence.inlier_share < params.degraded_share) return PoseSupport::kWeak;
   return PoseSupport::kGood;

@@ -13,9 +13,9 @@ namespace {
 constexpr double kNewestShare = 1.0 / 3;
 // Factors on the variance that tracking reports, measured on rendered scenes
 // (share/lab/archive/2026-11-22_pose_covariance.md).
-constexpr double kMax = 4;         // more is an outlier of one keyframe
-constexpr double kMin = 0.7;       // better agreement is chance, or one error in both
-constexpr double kNotSeen = 1.15;  // true error over that move: the adjusted pose has an error as well
+constexpr double kMaxFactor = 4;    // more is an outlier of one keyframe
+constexpr double kMinFactor = 0.7;  // better agreement is chance, or one error in both
+constexpr double kNotSeen = 1.15;   // true error over that move: the adjusted pose has an error as well
 
 }  // namespace
 
@@ -23,10 +23,10 @@ double TrackingCheck::add(const SE3& T_cam_ref_tracked, const SE3& T_cam_ref_adj
                           const Matrix6d& covariance) {
   const double ratio =
       normalised_error_square(T_cam_ref_tracked, T_cam_ref_adjusted, covariance) / kNormalisedErrorFreedom;
-  if (std::isfinite(ratio)) mean_ += kNewestShare * (std::min(ratio, kMax) - mean_);
+  if (std::isfinite(ratio)) mean_ += kNewestShare * (std::min(ratio, kMaxFactor) - mean_);
   return ratio;
 }
 
-double TrackingCheck::error_factor() const { return kNotSeen * std::max(kMin, mean_); }
+double TrackingCheck::error_factor() const { return kNotSeen * std::max(kMinFactor, mean_); }
 
 }  // namespace edgevo

@@ -40,8 +40,8 @@ std::optional<InputDecision> falling_names(const std::vector<std::string>& image
 // Times in names that do not run as those that are listed: a clock that drifts or is offset does.
 std::optional<InputDecision> other_times(const std::vector<std::string>& images,
                                          const std::vector<Timestamp>& times) {
-  constexpr double kShare = 0.5;  // of a step
-  constexpr size_t kMin = 2;      // more than a clock that was set
+  constexpr double kShare = 0.5;     // of a step
+  constexpr size_t kMaxByClock = 2;  // more than a clock that was set
   std::vector<std::string> stems;
   for (const std::string& image : images) stems.push_back(fs::path(image).stem().string());
   const auto named = times_of_names(stems, "");
@@ -55,7 +55,7 @@ std::optional<InputDecision> other_times(const std::vector<std::string>& images,
     const double there = seconds_between(named->times[i - 1], named->times[i]);
     if (std::abs(there - seconds_between(times[i - 1], times[i])) > tolerance && differ++ == 0) first = i;
   }
-  if (differ <= kMin) return std::nullopt;
+  if (differ <= kMaxByClock) return std::nullopt;
   return InputDecision{
       "order", "times as listed, not those in the names of the images",
       std::to_string(differ) + " steps differ, first before " + fs::path(images[first]).filename().string(),

@@ -82,7 +82,7 @@ class DepthSearch {
       if (node->hypotheses.empty()) node->hypotheses.reserve(kMaxHypotheses);
       node->hypotheses.push_back(h);
     }
-    reached(node->edge_pixel, h.views < params_.min_views ? EdgeStage::kMinViews
+    reached(node->edge_pixel, h.views < params_.min_views ? EdgeStage::kFewViews
                               : !is_supported(h)          ? EdgeStage::kNoSupport
                               : h.informative == 0        ? EdgeStage::kNoMotion
                                                           : EdgeStage::kNotChosen);

@@ -21,7 +21,7 @@ constexpr int kMinInCell = 4;            // strong edges that show whether a cel
 constexpr double kMinCellsMoving = 0.5;  // share of the cells with edges
 // Directions of edges, and regions of the view by row and column, whose shares are measured.
 constexpr int kDirections = 12, kRegions = 3;
-constexpr double kMinEdges = 20;
+constexpr double kPriorEdges = 20;
 constexpr double kMinStill = 0.7;      // share of a cell's strong edges that keep their place
 constexpr double kMinStanding = 0.15;  // share of the cells that are still before a camera that stands
 constexpr double kFoundAgain = 0.7;    // share of a fixed part's edges
@@ -135,16 +135,16 @@ std::vector<double> FixedParts::scene_shares() const {
     seen[size_t(c.kind)] += c.seen;
   }
   // Few edges of a direction at a place borrow from other places, few of a direction from all.
-  const double every = (kMinEdges + sum(seen)) / (kMinEdges + sum(all));
+  const double every = (kPriorEdges + sum(seen)) / (kPriorEdges + sum(all));
   std::vector<double> shares(all.size());
   for (int d = 0; d < kDirections; ++d) {
     double all_here = 0, seen_here = 0;
     for (int p = 0; p < kPlaces; ++p)
       all_here += all[size_t(p * kDirections + d)], seen_here += seen[size_t(p * kDirections + d)];
-    const double along = (kMinEdges * every + seen_here) / (kMinEdges + all_here);
+    const double along = (kPriorEdges * every + seen_here) / (kPriorEdges + all_here);
     for (int p = 0; p < kPlaces; ++p) {
       const size_t i = size_t(p * kDirections + d);
-      const double share = (kMinEdges * along + seen[i]) / (kMinEdges + all[i]);
+      const double share = (kPriorEdges * along + seen[i]) / (kPriorEdges + all[i]);
       shares[i] = std::clamp(share, kMinSceneShare, kMaxSceneShare);
     }
   }

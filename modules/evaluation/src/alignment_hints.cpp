@@ -102,14 +102,14 @@ std::string better(double before, double after) {
 // A truth of which hardly a pose lies in the time of the trajectory shows it a straight way between two of
 // them: its times are probably in a smaller unit.
 bool hint_at_time_unit(const Trajectory& estimate, const Trajectory& truth, std::vector<std::string>* hints) {
-  constexpr int kMinTruePoses = 3;
+  constexpr int kMaxTruePoses = 3;
   constexpr double kTooFar = 100;  // steps of the trajectory between two true poses
   if (estimate.poses.size() < kMinPoses || truth.poses.size() < 2) return false;
   const auto within = [&](const StampedPose& p) {
     return estimate.poses.front().time <= p.time && p.time <= estimate.poses.back().time;
   };
   const double apart_s = step_of(truth);
-  if (std::count_if(truth.poses.begin(), truth.poses.end(), within) > kMinTruePoses ||
+  if (std::count_if(truth.poses.begin(), truth.poses.end(), within) > kMaxTruePoses ||
       apart_s < kTooFar * step_of(estimate))
     return false;
   hints->push_back("hardly a pose of the ground truth lies within the trajectory's time, since they are " +

@@ -15,8 +15,8 @@ namespace {
 constexpr int kMaxPixels = 130000;
 constexpr int kWanted = 80, kMaxWanted = 200;
 // Corners are sought again after that many frames if some are lost, at once where too few are left. Fewer
-// than kMin of known depth are too few.
-constexpr int kFramesBetween = 4, kMin = 40;
+// than kMinKnown of known depth are too few.
+constexpr int kFramesBetween = 4, kMinKnown = 40;
 constexpr float kBorderPx = 4;
 // Least quality of a new corner relative to the strongest: low, so that they cover the image.
 constexpr double kQuality = 0.01;
@@ -48,8 +48,9 @@ void CornerTracks::follow(const std::shared_ptr<const FramePyramid>& pyramid,
   ++frames_since_refill_;
   const int left = int(view_.tracks.size());
   // At large motion many corners are lost at once: so many are sought that enough last.
-  if (had > 0) wanted_ = std::clamp(wanted_ * kMin / std::max(1, left), kWanted, kMaxWanted);
-  if (left < kMin + kMin / 2 || (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
+  if (had > 0) wanted_ = std::clamp(wanted_ * kMinKnown / std::max(1, left), kWanted, kMaxWanted);
+  if (left < kMinKnown + kMinKnown / 2 ||
+      (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
     refill(before_->levels()[1]);
   drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <opencv2/calib3d.hpp>
+#include <opencv2/core.hpp>
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"

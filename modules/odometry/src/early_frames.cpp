@@ -12,15 +12,15 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMax = 60;         // while a part of the view may be fixed to the camera
-constexpr size_t kMaxUsually = 16;  // a part is suspected after a few images that differ
+constexpr size_t kMaxWhileSuspected = 60;  // while a part of the view may be fixed to the camera
+constexpr size_t kMaxUsually = 16;         // a part is suspected after a few images that differ
 
 }  // namespace
 
 void EarlyFrames::add(const ArrivedFrame& now) {
   frames_.push_back({now.frame.index, now.pyramid});
   const bool is_suspected = is_needed_ || now.pyramid->may_show_own_part;
-  while (frames_.size() > (is_suspected ? kMax : kMaxUsually)) frames_.pop_front();
+  while (frames_.size() > (is_suspected ? kMaxWhileSuspected : kMaxUsually)) frames_.pop_front();
 }
 
 void EarlyFrames::place(const BootstrapResult& views, const Reference& reference, int segment,

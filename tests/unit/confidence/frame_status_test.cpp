@@ -181,14 +181,14 @@ TEST(Classify, ReportsTheFirstFailedCriterion) {
   pose.stats.visible = kParams.min_visible;
   EXPECT_EQ(support(pose), PoseSupport::kGood);
   pose.stats.visible = kParams.min_visible - 1;
-  EXPECT_EQ(support(pose), PoseSupport::kMinPoints);
+  EXPECT_EQ(support(pose), PoseSupport::kFewPoints);
   pose.T_cur_ref = kBroken;
   EXPECT_EQ(support(pose), PoseSupport::kDiverged);
 }
 
 TEST(Classify, OnlyWeakAndGoodPosesAreNotLost) {
   EXPECT_TRUE(is_lost(PoseSupport::kDiverged));
-  EXPECT_TRUE(is_lost(PoseSupport::kMinPoints));
+  EXPECT_TRUE(is_lost(PoseSupport::kFewPoints));
   EXPECT_TRUE(is_lost(PoseSupport::kUnsupported));
   EXPECT_FALSE(is_lost(PoseSupport::kWeak));
   EXPECT_FALSE(is_lost(PoseSupport::kGood));

@@ -139,7 +139,7 @@ TEST(EdgeMapper, TheTraceShowsWhichPixelsBecameVertices) {
       for (const EdgeVertex* end : {&line.vertices.front(), &line.vertices.back()})
         EXPECT_EQ(kept.count({id, end->px.x(), end->px.y()}), 1u);
   for (const EdgeStage gate :
-       {EdgeStage::kMinViews, EdgeStage::kAlongMotion, EdgeStage::kExplained, EdgeStage::kUnconfirmed})
+       {EdgeStage::kFewViews, EdgeStage::kAlongMotion, EdgeStage::kExplained, EdgeStage::kUnconfirmed})
     EXPECT_GT(counts[gate], 0) << to_string(gate);
 }
 

@@ -19,7 +19,7 @@ enum class PoseSupport {
   /// The pose is not finite.
   kDiverged,
   /// Fewer than `min_visible` map points lie in view.
-  kMinPoints,
+  kFewPoints,
   /// The inlier share is below `lost_share`.
   kUnsupported,
   /// The inlier share is below `degraded_share`.

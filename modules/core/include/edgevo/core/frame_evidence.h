@@ -81,7 +81,7 @@ struct FrameEvidence {
 
   /// Whether the alignment ended at a pose that is not finite.
   bool diverged = false;
-  /// Whether the camera is known to stand (odometry/src/standstill.h): most edges near enough to show a usual
+  /// Whether the camera is known to stand (segmentation/standstill.h): most edges near enough to show a usual
   /// step keep their place, and the pose keeps its own.
   bool stands = false;
   /// Number of map points in view; nothing if the frame was not tracked.
@@ -97,7 +97,7 @@ struct FrameEvidence {
   /// depths, rotation in radians.
   std::array<double, 6> pose_sigmas = unknown_sigmas();
   /// Largest difference, over the camera's axes, between the translation since the frame before and the
-  /// median of the last ones, in their standard deviations (odometry/src/median_motion.h).
+  /// median of the last ones, in their standard deviations (tracking/median_motion.h).
   double step_sigmas = std::numeric_limits<double>::quiet_NaN();
 
   /// Number of points with known depth in the reference keyframe; nothing if the frame was not tracked.

@@ -6,7 +6,7 @@
 
 namespace edgevo {
 
-/// Criterion that requested a keyframe (odometry/src/keyframe_policy.cpp), or another way in which the frame
+/// Criterion that requested a keyframe (tracking/keyframe_policy.h), or another way in which the frame
 /// became one.
 enum class KeyframeReason {
   /// No keyframe was requested.

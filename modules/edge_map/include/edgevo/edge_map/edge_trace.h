@@ -15,7 +15,7 @@ enum class EdgeStage {
   /// No edge of like direction lies on its epipolar lines, and the depth of no neighbour fits.
   kNoCrossing,
   /// Fewer than min_views views show an edge at any of its depths.
-  kMinViews,
+  kFewViews,
   /// More of the views that contain the point show no edge there than show one.
   kNoSupport,
   /// A change of depth moves the point across its edge in no view.

@@ -4,7 +4,7 @@
 
 namespace edgevo {
 
-/// Parameters of the decision on keyframes (odometry/src/keyframe_policy.h).
+/// Parameters of the decision on keyframes (tracking/keyframe_policy.h).
 struct KeyframeParams {
   /// Pixels at 1241 pixels width; scales with the width. Down to half of it in an expanding view.
   double flow_px = 40;
