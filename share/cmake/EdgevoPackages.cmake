@@ -99,8 +99,8 @@ edgevo::odometry, edgevo::datasets and others) and examples, in
 /usr/share/edgevo/examples."
   SECTION libdevel DEPENDS "${libraries}" RECOMMENDS "${more_libraries}" SUGGESTS "libedgevo-visp-dev")
 edgevo_package(doc edgevo-doc "edge visual odometry: documentation"
-  "Handbook, architecture, the page of each module, tables of accuracy and the
-lab book, as Markdown in /usr/share/doc/edgevo."
+  "Handbook, architecture, the page of each module, tables of accuracy and
+what measurements taught, as Markdown in /usr/share/doc/edgevo."
   SECTION doc ARCHITECTURE all)
 
 # Runs ldconfig for the plug-in.

@@ -61,7 +61,7 @@ Pinhole wider_and_smaller(const Pinhole& p) {
 
 // The covariance holds on each scene (alignment/pose_covariance.h, confidence/tracking_check.h).
 // The desk is the worst, whose first map is poor: too wide, 0.63, 37 % of the frames inside and nearly all
-// others below; the others 0.66 to 0.77, 86 to 89 % (share/lab/archive/2026-11-27_what_edges_share.md).
+// others below; the others 0.66 to 0.77, 86 to 89 % (lab 2026-11-27_what_edges_share).
 void expect_consistent(const Consistency& c) {
   EXPECT_GE(c.frames, 10);  // on the street most frames become keyframes
   EXPECT_GT(c.mean_ratio, 0.4);
@@ -82,7 +82,7 @@ TEST(RenderedAccuracy, StreetDrive) {
 }
 
 // Driving backwards: nothing leaves the view, and what enters it is near and new
-// (share/lab/archive/2026-11-23_backward_motion.md).
+// (lab 2026-11-23_backward_motion).
 TEST(RenderedAccuracy, StreetDriveBackwards) {
   // Seeds 1 to 5: up to 0.0112 %, 0.00175.
   expect_sequence_within(backward(part_of(street_sequence(), 0, 80)), {0.0225, 0.0035});
@@ -143,7 +143,7 @@ RenderedSequence relit(const RenderedSequence& sequence, const Relight& relight)
 }
 
 // Where all edges run along the motion, glare and shadows outvote the few points that constrain the distance
-// travelled. Without the measures of share/lab/archive/2026-11-23_motion_outliers.md the ATE is 14 to 18 % of
+// travelled. Without the measures of lab 2026-11-23_motion_outliers the ATE is 14 to 18 % of
 // the path, seeds 1 and 2; with them 0.2 to 0.4 %.
 TEST(RenderedAccuracy, ACorridorInBadLight) {
   // Seed 1: 0.38 %, 0.070.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The edge lines of a run through the rendered street against its true edges. The bounds leave a margin to
-// the measured figures (share/lab/archive/2026-11-24_edge_map.md).
+// the measured figures (lab 2026-11-24_edge_map).
 #include <gtest/gtest.h>
 
 #include "street_run.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A metric run through the rendered street and its map against the true surfaces. The bounds leave a margin
-// to the measured figures (share/lab/archive/2026-11-22_metric_map.md).
+// to the measured figures (lab 2026-11-22_metric_map).
 #include <gtest/gtest.h>
 #include <octomap/OcTree.h>
 

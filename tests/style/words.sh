@@ -11,12 +11,12 @@ list=$here/tests/style/words.txt
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The files to check. The archive of the lab book and the changelog are exempt: they describe the past.
+# The files to check. The changelog is exempt: it describes the past.
 files() {
   (cd "$here" && find README.md CONTRIBUTING.md CMakeLists.txt app modules tests params datasets share -type f \
     \( -name '*.h' -o -name '*.cpp' -o -name '*.md' -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name '*.txt' \
     -o -name '*.yaml' -o -name '*.js' -o -name '*.html' \) \
-    ! -path 'share/lab/archive/*' ! -path 'tests/style/words.*' | sort)
+    ! -path 'tests/style/words.*' | sort)
 }
 
 # find_words FILE...: a line `FILE:LINE: "word": use TERM` for each.

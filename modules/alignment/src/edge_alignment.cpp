@@ -32,7 +32,7 @@ constexpr int kEdgeIterations = 15;    // on each level
 constexpr double kEdgeStepPx = 0.005;  // smaller for edges, which repeat to about 0.05 px
 // Cost of a point out of view, in misses: it is no evidence for or against a pose. At no cost, points would
 // be pushed out of view; at the cost of a miss, a camera that passes the last near points would be held back
-// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
+// (lab 2026-11-21_edges_along_the_motion).
 constexpr double kOutOfViewShare = 0.5;
 // Weight of one standard deviation of the gradient patches relative to an edge residual of one pixel.
 constexpr double kPhotometricWeight = 0.5;

@@ -20,7 +20,7 @@ int coarsest_edge_level(const FramePyramid& pyramid) {
 
 // Glare and shadows mislead gray levels where the edges of the scene run along the motion. So the edge cost
 // decides whether to continue from the pose of the patch alignment or from the start itself
-// (share/lab/archive/2026-11-21_edges_along_the_motion.md).
+// (lab 2026-11-21_edges_along_the_motion).
 SE3 start_by_patches(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& start,
                      const AlignmentParams& params) {
   const int coarsest = int(current.levels.size()) - 1;

@@ -12,7 +12,7 @@ namespace {
 // Weight of the newest keyframe in the mean: the last three to five keyframes dominate.
 constexpr double kNewestShare = 1.0 / 3;
 // Factors on the variance that tracking reports, measured on rendered scenes
-// (share/lab/archive/2026-11-22_pose_covariance.md).
+// (lab 2026-11-22_pose_covariance).
 constexpr double kMaxFactor = 4;    // more is an outlier of one keyframe
 constexpr double kMinFactor = 0.7;  // better agreement is chance, or one error in both
 constexpr double kNotSeen = 1.15;   // true error over that move: the adjusted pose has an error as well

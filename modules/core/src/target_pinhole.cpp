@@ -13,7 +13,7 @@ namespace {
 
 // Interpolation between pixels at the rate of the lens blurs the finest detail. A quarter more pixels to a
 // side keep it: the rendered corridor through lenses of 190 degrees has 0.6 to 0.3 times the error
-// (share/lab/archive/2026-11-26_lenses.md). Not beyond as many pixels as images have that are not scaled
+// (lab 2026-11-26_lenses). Not beyond as many pixels as images have that are not scaled
 // down for the sake of time (--image-scale auto).
 constexpr double kFiner = 1.25, kMaxPixels = 720000;
 

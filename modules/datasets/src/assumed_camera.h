@@ -2,7 +2,7 @@
 #pragma once
 // A camera for images without a calibration, from --fov or a photo's EXIF data. No lens distortion, principal
 // point in the middle of the image; an initial guess, not a calibration (its cost:
-// share/lab/archive/2026-11-24_assumed_camera.md).
+// lab 2026-11-24_assumed_camera).
 #include <optional>
 #include <string>
 #include <vector>

@@ -14,7 +14,7 @@ namespace edgevo {
 namespace {
 
 // Accuracy and time were measured at up to 1241x376, 470,000 pixels. A third more bring nothing, and twice as
-// many cost 2.5 times the time (share/lab/archive/2026-11-26_working_size.md).
+// many cost 2.5 times the time (lab 2026-11-26_working_size).
 constexpr double kMeasuredPixels = 480000;
 // Times as many stay as they are: a resampling by less than a fifth blurs more than it saves.
 constexpr double kWithinReach = 1.5;

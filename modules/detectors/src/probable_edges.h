@@ -10,7 +10,7 @@
 // scores counts: as many pixels are kept as Canny would find.
 //
 // Whole chains are kept or dropped by their mean score: selected pixel by pixel, lines would break where a
-// score is close to the threshold, in each frame elsewhere (share/lab/archive/2026-11-24_whole_chains.md).
+// score is close to the threshold, in each frame elsewhere (lab 2026-11-24_whole_chains).
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/edges/gradient.h"
 

@@ -112,7 +112,7 @@ std::vector<SE3> motions_of_homography(const cv::Mat& H, const cv::Mat& K,
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
                         cv::Mat* inliers) {
-  constexpr int kRounds = 3;  // as measured: share/lab/archive/2026-11-22_bootstrap.md
+  constexpr int kRounds = 3;  // as measured: lab 2026-11-22_bootstrap
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::Vector3d> x, y;
     for (size_t i = 0; i < first.size(); ++i) {

@@ -24,10 +24,10 @@ constexpr size_t kMaxKeptViews = 14;
 // Corners needed for PnP: three determine a pose, but a view between the two is useless with a wrong one.
 constexpr int kMinPnpCorners = 20;
 // RANSAC runs that have to agree on the rotation: a single one was wrong for two of five seeds
-// (share/lab/archive/2026-11-22_bootstrap.md).
+// (lab 2026-11-22_bootstrap).
 constexpr int kMotionTrials = 5;
 // Frames in a row without a consensus of the corners, after which the first view counts as taken in bad light
-// (share/lab/archive/2026-11-22_bootstrap.md).
+// (lab 2026-11-22_bootstrap).
 constexpr int kMaxDisagreeing = 8;
 constexpr int kMaxFirstCorners = 1200;      // followed from the first view
 constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix

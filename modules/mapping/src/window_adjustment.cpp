@@ -15,7 +15,7 @@ constexpr int kMaxMisses = 3;
 constexpr double kDropSigmas = 4.0;
 constexpr double kCornerSigmaPx = 0.5;  // standard deviation of a corner
 // Relative decrease of the cost that ends an adjustment: what is left is below the noise of the matches. A
-// fifth less time than with 1e-4, at the same errors (share/lab/archive/2026-11-21_end_of_adjustment.md).
+// fifth less time than with 1e-4, at the same errors (lab 2026-11-21_end_of_adjustment).
 constexpr double kEnoughDecrease = 1e-3;
 
 }  // namespace

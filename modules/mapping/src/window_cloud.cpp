@@ -12,7 +12,7 @@ namespace {
 
 // Points of known depth below which the cloud is filled up with immature ones, and below which tentative ones
 // are added to the map: with 300 and 400 runs were lost, 700 costs accuracy
-// (share/lab/archive/2026-11-22_sparse_maps.md).
+// (lab 2026-11-22_sparse_maps).
 constexpr size_t kEnoughCloud = 500;
 // Points of known depth per cell of the activation below which a small image also has few: 402 at 640x480.
 constexpr double kSparseShare = 0.25;
@@ -35,7 +35,7 @@ int Window::points_lacking() const { return std::max(0, points_wanted() - int(cl
 
 // Adds immature points of a keyframe, selected in even steps. Their depth is a guess that the tracker weights
 // by its sigma: under a pure rotation, where depth does not matter, they count fully
-// (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
+// (lab 2026-11-22_rotation_on_the_spot).
 void Window::add_immature(const Keyframe& host, size_t wanted, std::vector<CloudPoint>* cloud) const {
   std::vector<const ImmaturePoint*> alive;
   for (const ImmaturePoint& p : host.immature)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points that outlive their host. Where the camera turns, the view leaves a window before the camera has
 // moved far, and its matches alone do not hold the unit of length: depths that are known carry it to the next
-// keyframes (share/lab/archive/2026-11-27_points_passed_on.md).
+// keyframes (lab 2026-11-27_points_passed_on).
 #include <algorithm>
 #include <cmath>
 

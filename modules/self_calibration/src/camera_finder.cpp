@@ -25,7 +25,7 @@ constexpr double kMaxUsefulReadoutSigma = 0.005;
 constexpr double kMinSignificance = 1.5;
 // Factor on an estimated change of the read-out time. Matches found in images with rolling-shutter distortion
 // bias the estimates: they come out a fifth to a half short and approach the truth step by step
-// (share/lab/archive/2026-11-22_rolling_shutter.md).
+// (lab 2026-11-22_rolling_shutter).
 constexpr double kOverRelaxation = 1.3;
 
 // Beforehand, of a lens that the camera file describes roughly.

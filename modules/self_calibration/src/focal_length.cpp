@@ -18,7 +18,7 @@ constexpr double kSureUpTo = 0.95;
 // Share of the significance at which one is tried first.
 constexpr double kTried = 2.0 / 3;
 // Cost of the map with a focal length far off the one in use: with true ones it was 0.5 to 1.13 times that
-// before, with wrong ones 1.5 to 5.9 (share/lab/archive/2026-11-27_focal_length_applied.md).
+// before, with wrong ones 1.5 to 5.9 (lab 2026-11-27_focal_length_applied).
 constexpr double kMaxCost = 1.25;
 
 }  // namespace

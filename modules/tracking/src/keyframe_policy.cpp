@@ -14,7 +14,7 @@ namespace {
 // How fast the view expands, 0 to 1. When the camera backs away, points that the cloud does not know come
 // into view, and they are the nearest of the scene. A view like the reference's own, moved by the motion
 // back, shows how fast: 0 if that makes no more flow than the motion out
-// (share/lab/archive/2026-11-23_backward_motion.md).
+// (lab 2026-11-23_backward_motion).
 double expansion(const ViewChange& out, const ViewChange& back) {
   // Excess of the flow back: 0.1 to 0.4 when driving backwards, within 0.1 by hand.
   constexpr double kFullExpansion = 0.15;

@@ -7,7 +7,7 @@
 // the edge normal in pixels. A point is an inlier if an edge of like direction lies within the robust width
 // (huber_px) of its projection. At a wrong pose there are hardly more inliers than by chance, whatever the
 // light; by contrast, half the points still have an edge match within the wider gates of the alignment in
-// foliage (figures: share/lab/archive/2026-11-22_tracking_verdict.md).
+// foliage (figures: lab 2026-11-22_tracking_verdict).
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/alignment/pose_covariance.h"
 #include "edgevo/alignment/reference_cloud.h"

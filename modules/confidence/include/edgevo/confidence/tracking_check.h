@@ -3,7 +3,7 @@
 // Measures the error of tracked poses during a run. The adjustment moves each new keyframe from where
 // tracking had put it. That move, relative to the covariance of tracking, shows how much the reference's own
 // error adds, which no residual of tracking shows: factor = 1.15 max(0.7, mean of normalised_error_square /
-// 5). Measured on rendered scenes: share/lab/archive/2026-11-22_pose_covariance.md.
+// 5). Measured on rendered scenes: lab 2026-11-22_pose_covariance.
 #include "edgevo/core/se3.h"
 
 namespace edgevo {

@@ -179,7 +179,7 @@ struct CameraRefinement {
 
     /// Whether the focal length is three standard deviations off the file's, or two and by 3 %: on six
     /// sequences with the right camera it was at most 1.7 % off, on seven with one of 0.8 times the focal
-    /// length 5 to 15 % (share/lab/archive/2026-11-26_trust.md).
+    /// length 5 to 15 % (lab 2026-11-26_trust).
     bool contradicts_file() const {
       const double off = std::abs(focal);
       return focal_sigma > 0 && (off > 3 * focal_sigma || (off > 2 * focal_sigma && off > 0.03));

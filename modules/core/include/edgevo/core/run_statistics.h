@@ -37,7 +37,7 @@ struct RunCounts {
   /// Number of poses that are doubtful: a LOST frame claims none.
   int doubtful_poses() const { return doubtful - lost; }
   /// Whether more than a quarter of the poses are doubtful. At most 2 % of right ones are, and a run that is
-  /// right has never had more than a fifth (share/lab/archive/2026-11-26_trust.md).
+  /// right has never had more than a fifth (lab 2026-11-26_trust).
   bool is_largely_doubtful() const { return 4 * doubtful_poses() > with_pose; }
 };
 /// Counts the contents of a run.

@@ -13,7 +13,7 @@ constexpr double kAutomaticScale = 0;
 /// Default scale for images of this size. 1 up to 720,000 pixels and 2482 columns; beyond them the one that
 /// leaves 480,000 pixels and at most 1241 columns. That is a choice of time: 1280x720 take 2.5 times as long
 /// as 1241x376, for half the error where images are sharp and for none where they are dim and blurred
-/// (share/lab/archive/2026-11-26_working_size.md). Thresholds in pixels are stated for a width of 1241
+/// (lab 2026-11-26_working_size). Thresholds in pixels are stated for a width of 1241
 /// (share/doc/numbers.md).
 double usual_image_scale(int width, int height);
 

@@ -33,7 +33,7 @@ std::vector<bool> follow_corners(const cv::Mat& image_from, const cv::Mat& image
 /// Median motion in pixels of the `all` corners of a first view, of which the surviving ones moved from
 /// `from` to `to` (one or more). Under noise and changing light fast corners are lost first: lost ones count
 /// as moved further than the median, up to half as many as survive, or the median of the survivors would fall
-/// with time (share/lab/archive/2026-11-22_bootstrap.md).
+/// with time (lab 2026-11-22_bootstrap).
 double median_motion(size_t all, const Corners& from, const Corners& to);
 
 }  // namespace edgevo

@@ -52,7 +52,7 @@ bool disagree(const SE3& a, const SE3& b, double parallax_rad);
 
 /// True if motions that fit about as well as `best` disagree on the rotation by more than a share of the
 /// parallax that depths would come from: with little parallax a wrong rotation with a wrong translation fits
-/// nearly as well as the right ones (share/lab/archive/2026-11-22_bootstrap.md).
+/// nearly as well as the right ones (lab 2026-11-22_bootstrap).
 bool is_ambiguous(const TwoViewMotion& best, const std::vector<TwoViewMotion>& motions);
 
 /// Refines a motion by Gauss-Newton on the distances from the epipolar lines, over rotation and translation

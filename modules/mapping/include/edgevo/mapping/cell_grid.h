@@ -33,7 +33,7 @@ struct CellAxis {
 /// equal width and height in the raw image. Towards its border a pinhole enlarges what such a lens shows, a
 /// fisheye to 6.6 times the area 60 degrees off the axis. Squares would spend most points there, on pixels
 /// that repeat each other, and leave few for the middle, which may be all that shows how far the camera moves
-/// (share/lab/archive/2026-11-26_lenses.md).
+/// (lab 2026-11-26_lenses).
 class CellGrid {
  public:
   /// Squares over an image of width x height pixels.

@@ -22,7 +22,7 @@
 // were observed.
 //
 // Cost: number of rays times range over resolution, in voxel visits; see
-// share/lab/archive/2026-11-21_octomap_insertion.md. Not thread-safe. Does not use OpenMP, whose number of
+// lab 2026-11-21_octomap_insertion. Not thread-safe. Does not use OpenMP, whose number of
 // threads octomap's own insertion would reset. A run without points gives an empty, valid map.
 #include <cstdint>
 #include <functional>

@@ -15,7 +15,7 @@ namespace edgevo {
 /// Factor from the standard deviations of the matches to those of the camera, with k1 and k2 free. Matches of
 /// an edge in many keyframes are not independent, and are biased towards the prediction: over ten runs with
 /// cameras that are known, the focal length was off by 0.5 to 6 of the former, 2.8 of them rms
-/// (share/lab/archive/2026-11-26_camera_from_motion.md).
+/// (lab 2026-11-26_camera_from_motion).
 constexpr double kSigmasOfMatches = 3;
 
 /// What is known of the camera beforehand: standard deviations of the file's values.

@@ -3,7 +3,7 @@
 // Renders the frames of a scene, with exact depth and pose.
 //
 // A software renderer of its own, measured against MRPT's off-screen OpenGL (see
-// share/lab/archive/2026-11-21_own_renderer.md): it filters textures, gives the same bytes on every machine,
+// lab 2026-11-21_own_renderer): it filters textures, gives the same bytes on every machine,
 // samples directly through the lens distortion instead of warping an image, and is as fast.
 //
 // A fisheye looks through the faces of a cube, each with rays (x, y, 1) of its own.

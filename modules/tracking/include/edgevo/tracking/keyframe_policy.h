@@ -54,7 +54,7 @@ NearestKeyframe find_nearest_keyframe(const Pinhole& pinhole, const Reference& r
 
 /// Whether the camera is back at a keyframe other than its reference: one that is nearer by half, and nearer
 /// than keyframes are to one another, while the reference is further away than the smallest flow. At a
-/// standstill all are equally near (share/lab/archive/2026-11-21_return_to_a_keyframe.md).
+/// standstill all are equally near (lab 2026-11-21_return_to_a_keyframe).
 bool is_back(const NearestKeyframe& nearest, int reference_id, const KeyframeParams& params);
 
 /// Decision on a tracked frame.

@@ -2,7 +2,7 @@
 #pragma once
 // Detects that the map is out of view. A rotation can be followed with points of unknown depth, a translation
 // only while what is left of the map explains the images. Where it does not, a new map is worth more than the
-// old one (share/lab/archive/2026-11-22_rotation_on_the_spot.md).
+// old one (lab 2026-11-22_rotation_on_the_spot).
 #include "edgevo/core/frame_evidence.h"
 
 namespace edgevo {

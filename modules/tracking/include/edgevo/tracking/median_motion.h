@@ -5,7 +5,7 @@
 // Where all edges of the scene run along the motion (a corridor, a tunnel), few points constrain how far the
 // camera has gone, and glare and shadows, which move by themselves, can outvote them: tracking then jumps by
 // the distance of several frames, at an inlier share of 0.9
-// (share/lab/archive/2026-11-23_motion_outliers.md).
+// (lab 2026-11-23_motion_outliers).
 #include <deque>
 #include <optional>
 
