@@ -10,7 +10,8 @@
 namespace edgevo {
 namespace {
 
-constexpr double kAskForStopS = 0.05;  // seconds: Ctrl-C acts at once, and polling costs nothing
+// Ctrl-C acts at once, and polling costs nothing.
+constexpr std::chrono::duration<double> kPollStop(0.05);
 
 class SteadyClock : public FeedClock {
  public:
@@ -27,36 +28,30 @@ class SteadyClock : public FeedClock {
 std::shared_ptr<FeedClock> steady_clock() { return std::make_shared<SteadyClock>(); }
 
 LiveFeed::LiveFeed(ImageSource& source, const Pace& pace, std::shared_ptr<FeedClock> clock)
-    : source_(source), pace_(pace), is_live_(source.is_live()), clock_(std::move(clock)) {
+    : source_(source),
+      pace_(pace),
+      is_live_(source.is_live()),
+      clock_(std::move(clock)),
+      waiting_(is_live_ ? kMaxWaiting : kReadAhead),
+      reader_({"reading"}) {
   if (is_live_ && pace.kind != Pace::Kind::kAtOnce)
     throw InputError("--pace", "a live camera paces itself", "omit --pace");
-  reader_ = std::thread([this] { read_all(); });
+  reader_.submit([this] { read_all(); });
 }
 
-LiveFeed::~LiveFeed() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    closed_ = true;
-  }
-  room_.notify_all();
-  reader_.join();
-}
+LiveFeed::~LiveFeed() { waiting_.close(); }
 
 // ---- the reading thread
 
 void LiveFeed::read_all() {
-  name_traced_thread("reading");
-  std::exception_ptr failure;
   try {
     while (std::optional<Frame> frame = read())
       if (!keep(std::move(*frame))) break;
   } catch (...) {
-    failure = std::current_exception();
+    waiting_.close();  // reader_ keeps the exception for the other thread
+    throw;
   }
-  const std::lock_guard<std::mutex> lock(mutex_);
-  failure_ = failure;
-  ended_ = true;
-  came_.notify_all();
+  waiting_.close();
 }
 
 std::optional<Frame> LiveFeed::read() {
@@ -66,38 +61,31 @@ std::optional<Frame> LiveFeed::read() {
 
 // False: no more frames are wanted.
 bool LiveFeed::keep(Frame frame) {
-  const double came_s = clock_->now_s();
-  std::unique_lock<std::mutex> lock(mutex_);
-  if (!is_live_) room_.wait(lock, [this] { return closed_ || waiting_.size() < kReadAhead; });
-  if (closed_) return false;
-  if (is_live_ && waiting_.size() >= kMaxWaiting) drop_oldest();
-  waiting_.push_back({std::move(frame), came_s});
-  came_.notify_all();
-  return true;
+  Waiting waiting{std::move(frame), clock_->now_s()};
+  if (!is_live_) return waiting_.push_when_room(std::move(waiting));
+  keep_newest(std::move(waiting));
+  return !waiting_.is_closed();
 }
 
-void LiveFeed::drop_oldest() {
-  Frame oldest = std::move(waiting_.front().frame);
-  waiting_.pop_front();
-  oldest.image = {};
-  dropped_.push_back(std::move(oldest));
+void LiveFeed::keep_newest(Waiting waiting) {
+  // Whoever takes a frame that came after a dropped one finds that one in the list.
+  const std::lock_guard<std::mutex> lock(dropping_);
+  std::optional<Waiting> oldest = waiting_.push_over_oldest(std::move(waiting));
+  if (!oldest) return;
+  oldest->frame.image = {};
+  dropped_.push_back(std::move(oldest->frame));
 }
 
 // ---- the thread that uses the frames
 
-bool LiveFeed::wait_for_frame(const std::function<bool()>& stop, Waiting* waiting) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  const std::chrono::duration<double> slice(kAskForStopS);
-  while (!came_.wait_for(lock, slice, [this] { return ended_ || !waiting_.empty(); }))
-    if (stop()) return false;
-  if (waiting_.empty()) {
-    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
-    return false;
+std::optional<LiveFeed::Waiting> LiveFeed::wait_for_frame(const std::function<bool()>& stop) {
+  while (true) {
+    if (std::optional<Waiting> waiting = waiting_.pop_within(kPollStop)) return waiting;
+    if (waiting_.is_finished()) break;
+    if (stop()) return std::nullopt;
   }
-  *waiting = std::move(waiting_.front());
-  waiting_.pop_front();
-  room_.notify_all();
-  return true;
+  reader_.wait_idle();
+  return std::nullopt;
 }
 
 double LiveFeed::due_s(const Waiting& waiting) {
@@ -109,23 +97,28 @@ double LiveFeed::due_s(const Waiting& waiting) {
 }
 
 std::optional<FedFrame> LiveFeed::next(const std::function<bool()>& stop) {
-  Waiting waiting;
   const TraceScope traced("wait until due");
-  if (!wait_for_frame(stop, &waiting)) return std::nullopt;
+  std::optional<Waiting> waiting = wait_for_frame(stop);
+  if (!waiting) return std::nullopt;
   FedFrame fed;
-  fed.due_s = due_s(waiting);
+  fed.due_s = due_s(*waiting);
   while ((fed.delivered_s = clock_->now_s()) < fed.due_s) {
     if (stop()) return std::nullopt;
-    clock_->sleep_s(std::min(fed.due_s - fed.delivered_s, kAskForStopS));
+    clock_->sleep_s(std::min(fed.due_s - fed.delivered_s, kPollStop.count()));
   }
   ++delivered_;
-  fed.frame = std::move(waiting.frame);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto is_before = [&](const Frame& dropped) { return dropped.index < fed.frame.index; };
-  const auto end = std::find_if_not(dropped_.begin(), dropped_.end(), is_before);
-  fed.dropped.assign(std::make_move_iterator(dropped_.begin()), std::make_move_iterator(end));
-  dropped_.erase(dropped_.begin(), end);
+  fed.frame = std::move(waiting->frame);
+  fed.dropped = dropped_before(fed.frame.index);
   return fed;
+}
+
+std::vector<Frame> LiveFeed::dropped_before(int index) {
+  const std::lock_guard<std::mutex> lock(dropping_);
+  const auto is_before = [&](const Frame& dropped) { return dropped.index < index; };
+  const auto end = std::find_if_not(dropped_.begin(), dropped_.end(), is_before);
+  std::vector<Frame> found(std::make_move_iterator(dropped_.begin()), std::make_move_iterator(end));
+  dropped_.erase(dropped_.begin(), end);
+  return found;
 }
 
 }  // namespace edgevo

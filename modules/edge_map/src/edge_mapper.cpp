@@ -7,7 +7,8 @@
 
 #include "edge_fusion.h"
 #include "edgevo/core/order_statistics.h"
-#include "worker.h"
+#include "edgevo/core/trace.h"
+#include "edgevo/core/worker.h"
 
 namespace edgevo {
 namespace {
@@ -76,7 +77,9 @@ double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) 
 struct EdgeMapper::Impl {
   Impl(const Rectification& rectification, const EdgeMapParams& p, bool own_thread,
        std::shared_ptr<MapLog> log, EdgeTrace* trace)
-      : params(p), fusion(rectification, p, std::move(log), trace), worker(own_thread, kMaxWaiting) {}
+      : params(p),
+        fusion(rectification, p, std::move(log), trace),
+        worker({"lines of edges", kMaxWaiting, own_thread, true, true}) {}
 
   std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
     auto& known = sides[k.id];
@@ -99,6 +102,7 @@ struct EdgeMapper::Impl {
   EdgeMapParams params;
   EdgeFusion fusion;  // owned by the worker's thread while it works
   Worker worker;
+  int skipped = 0;                                                     // keyframes
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
 };
 
@@ -119,7 +123,11 @@ void EdgeMapper::add(const Map& map) {
                       max_idepth_of(keyframe, map.active())};
   std::vector<EdgeView> views = impl_->views_of(keyframe, older, younger_than_last(map.active()));
   EdgeFusion* fusion = &impl_->fusion;
-  impl_->worker.submit([fusion, host, views = std::move(views)] { fusion->add(host, views); });
+  const bool is_added = impl_->worker.submit_if_room([fusion, host, views = std::move(views)] {
+    const TraceScope traced("lines of a keyframe");
+    fusion->add(host, views);
+  });
+  if (!is_added) ++impl_->skipped;
 }
 
 size_t EdgeMapper::keyframes_needed() const { return impl_->params.is_on() ? kOlder : 0; }
@@ -140,6 +148,6 @@ void EdgeMapper::close() {
   impl_->fusion.close();
 }
 
-int EdgeMapper::skipped() const { return impl_->worker.skipped(); }
+int EdgeMapper::skipped() const { return impl_->skipped; }
 
 }  // namespace edgevo

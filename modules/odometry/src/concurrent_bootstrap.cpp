@@ -20,18 +20,8 @@ ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, con
     : pinhole_(rectification.target()),
       params_(params),
       map_(map),
-      bootstrap_(rectification, params.mapping.bootstrap, seed) {
-  thread_ = std::thread([this] { search(); });
-}
-
-ConcurrentBootstrap::~ConcurrentBootstrap() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_all();
-  thread_.join();
-}
+      bootstrap_(rectification, params.mapping.bootstrap, seed),
+      worker_({"bootstrap", kMaxQueued, true, false, true}) {}
 
 void ConcurrentBootstrap::reset() {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -54,7 +44,7 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
   if (!status.result) return status;
-  make_map(std::move(*status.result), before);
+  begin_map(std::move(*status.result), before);
   return {std::nullopt, "two views found: a map is being made"};
 }
 
@@ -64,7 +54,7 @@ void ConcurrentBootstrap::add(Waiting frame) {
     if (queue_.size() >= kMaxQueued) queue_.pop_front();
     queue_.push_back(std::move(frame));
   }
-  wake_.notify_all();
+  worker_.submit([this] { search_next(); });
 }
 
 BootstrapStatus ConcurrentBootstrap::poll() {
@@ -75,11 +65,9 @@ BootstrapStatus ConcurrentBootstrap::poll() {
 }
 
 void ConcurrentBootstrap::resume() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    rests_ = false;
-  }
-  wake_.notify_all();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rests_ = false;
+  for (size_t i = 0; i < queue_.size(); ++i) worker_.submit([this] { search_next(); });
 }
 
 int ConcurrentBootstrap::searched_until() const {
@@ -87,48 +75,49 @@ int ConcurrentBootstrap::searched_until() const {
   return searched_until_;
 }
 
-void ConcurrentBootstrap::search() {
-  name_traced_thread("bootstrap");
-  int followed = 0;  // frames since the last attempt
-  std::unique_lock<std::mutex> lock(mutex_);
-  for (;;) {
-    wake_.wait(lock, [this] { return stop_ || (!rests_ && !queue_.empty()); });
-    if (stop_) return;
-    const Waiting frame = std::move(queue_.front());
-    queue_.pop_front();
-    const bool attempt = queue_.empty() || followed >= kMaxFollowed;
-    followed = attempt ? 0 : followed + 1;
-    const bool was_reset = std::exchange(is_reset_, false);
-    lock.unlock();
-    BootstrapStatus status;
-    {
-      const TraceScope traced("search of two views", frame.frame_index);
-      if (was_reset) bootstrap_.reset();
-      status = bootstrap_.add(frame.frame_index, frame.time, frame.pyramid, attempt, frame.rows);
-    }
-    lock.lock();
-    searched_until_ = frame.frame_index;
-    if (is_reset_) continue;  // meanwhile
-    rests_ = status.result.has_value();
-    status_ = std::move(status);
-  }
+std::optional<ConcurrentBootstrap::Search> ConcurrentBootstrap::next() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (rests_ || queue_.empty()) return std::nullopt;
+  Search search{std::move(queue_.front()), false, std::exchange(is_reset_, false)};
+  queue_.pop_front();
+  search.attempt = queue_.empty() || followed_ >= kMaxFollowed;
+  return search;
 }
 
-void ConcurrentBootstrap::make_map(BootstrapResult views, std::optional<SureView> before) {
-  making_ = std::async(std::launch::async, [this, made = MadeMap{{}, std::move(views), {}},
-                                            before = std::move(before)]() mutable {
-    name_traced_thread("first map");
-    const TraceScope traced("first map", made.views.views.back().frame_index);
-    map_->rectify_rows(&made.views);
-    made.problem = map_->make_map(made.views);
-    if (!made.problem.empty()) return std::move(made);
-    const std::shared_ptr<const Reference> reference = map_->first_reference();
-    made.beginning.tracks = track_bootstrap_frames(made.views, *reference, params_);
-    const TraceScope linking("link to the map before");
-    made.beginning.link = find_link(pinhole_, before, *reference);
-    return std::move(made);
+void ConcurrentBootstrap::search_next() {
+  const std::optional<Search> now = next();
+  if (!now) return;
+  followed_ = now->attempt ? 0 : followed_ + 1;
+  const Waiting& frame = now->frame;
+  const TraceScope traced("search of two views", frame.frame_index);
+  if (now->after_reset) bootstrap_.reset();
+  BootstrapStatus status =
+      bootstrap_.add(frame.frame_index, frame.time, frame.pyramid, now->attempt, frame.rows);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  searched_until_ = frame.frame_index;
+  if (is_reset_) return;  // meanwhile
+  rests_ = status.result.has_value();
+  status_ = std::move(status);
+}
+
+void ConcurrentBootstrap::begin_map(BootstrapResult views, std::optional<SureView> before) {
+  making_ = worker_.begin([this, views = std::move(views), before = std::move(before)]() mutable {
+    return make_map(std::move(views), before);
   });
   reset();  // of the search alone: frames wait now
+}
+
+MadeMap ConcurrentBootstrap::make_map(BootstrapResult views, const std::optional<SureView>& before) {
+  const TraceScope traced("first map", views.views.back().frame_index);
+  MadeMap made{{}, std::move(views), {}};
+  map_->rectify_rows(&made.views);
+  made.problem = map_->make_map(made.views);
+  if (!made.problem.empty()) return made;
+  const std::shared_ptr<const Reference> reference = map_->first_reference();
+  made.beginning.tracks = track_bootstrap_frames(made.views, *reference, params_);
+  const TraceScope linking("link to the map before");
+  made.beginning.link = find_link(pinhole_, before, *reference);
+  return made;
 }
 
 MadeMap ConcurrentBootstrap::take_map() {

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The bootstrap next to the frames: an attempt to find two views takes up to 0.1 s, and the first map as long
-// again, while the frames of a camera go on arriving. Two threads besides the caller's, one at a time: the
-// search, then the making of the map.
-#include <condition_variable>
+// again, while the frames of a camera go on arriving. One thread besides the caller's does both.
 #include <deque>
 #include <future>
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bootstrapper.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/odometry/odometry_params.h"
 #include "edgevo/segmentation/own_parts.h"
@@ -38,9 +36,6 @@ class ConcurrentBootstrap {
   /// `map` must outlive this object.
   ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params, uint64_t seed,
                       MapLink* map);
-  /// Waits for an attempt, or a map, that is under way.
-  ~ConcurrentBootstrap();
-
   /// Forgets the views, also those under way. A map in the making goes on.
   void reset();
   /// Gives the next frame to the search. Returns why there is no map yet, as known now: a search that is
@@ -76,12 +71,19 @@ class ConcurrentBootstrap {
     std::shared_ptr<const FramePyramid> pyramid;
     ImageMotion rows;  // for which they have been rectified
   };
-  void search();
+  struct Search {
+    Waiting frame;
+    bool attempt, after_reset;
+  };
   void add(Waiting frame);
+  // Takes the next frame that waits, if the search does not rest.
+  std::optional<Search> next();
+  void search_next();
   BootstrapStatus poll();
   void resume();
   int searched_until() const;
-  void make_map(BootstrapResult views, std::optional<SureView> before);
+  void begin_map(BootstrapResult views, std::optional<SureView> before);
+  MadeMap make_map(BootstrapResult views, const std::optional<SureView>& before);
 
   Pinhole pinhole_;
   OdometryParams params_;
@@ -89,15 +91,16 @@ class ConcurrentBootstrap {
   // Frames after those that are known not to end in a map, oldest first.
   LateFrames late_;
   bool catches_up_ = false;
-  Bootstrap bootstrap_;  // of the searching thread
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
+  // Of the searching thread.
+  Bootstrap bootstrap_;
+  int followed_ = 0;          // frames since the last attempt
+  mutable std::mutex mutex_;  // guards what follows, up to making_
   std::deque<Waiting> queue_;
   BootstrapStatus status_;   // the search rests once it has a result
   int searched_until_ = -1;  // index of a frame
-  bool rests_ = false, is_reset_ = false, stop_ = false;
-  std::thread thread_;
-  std::future<MadeMap> making_;  // last member: it ends before the others
+  bool rests_ = false, is_reset_ = false;
+  std::future<MadeMap> making_;
+  Worker worker_;  // last member: it ends before the others
 };
 
 }  // namespace edgevo

@@ -4,13 +4,11 @@
 // (realtime).
 #include <chrono>
 #include <condition_variable>
-#include <deque>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <thread>
 
+#include "edgevo/core/worker.h"
 #include "edgevo/mapping/mapper.h"
 
 namespace edgevo {
@@ -23,13 +21,12 @@ class MappingThread {
 
   /// `on_update` is called in the mapping thread, with no lock held.
   MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update);
-  ~MappingThread();
 
   /// Passes a frame to the mapper. In realtime, frames other than keyframes are skipped while the queue is
-  /// full; keyframes never are.
+  /// full; keyframes never are. Rethrows what the mapping thread threw: no frame is mapped after that.
   void submit(TrackedFrame frame);
-  /// Waits until all submitted frames are processed; rethrows what the mapping thread threw. Afterwards the
-  /// caller may use the mapper.
+  /// Waits until all submitted frames are processed; rethrows as submit() does. Afterwards the caller may use
+  /// the mapper.
   void wait_idle();
   /// True while a submitted keyframe is not processed.
   bool keyframe_pending() const;
@@ -44,23 +41,20 @@ class MappingThread {
   int skipped() const { return skipped_; }
 
  private:
-  void loop();
   void run(const TrackedFrame& frame);
   // Publishes the reference after a frame, processed or not.
   void finish(const TrackedFrame& frame);
+  void give_up(const TrackedFrame& frame);
 
   Mapper* mapper_;
-  bool own_thread_;
   OnUpdate on_update_;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_, idle_, keyframe_done_;
-  std::deque<TrackedFrame> queue_;
-  std::shared_ptr<const Reference> reference_;
-  std::exception_ptr failure_;
-  bool busy_ = false, stop_ = false;
-  int keyframes_pending_ = 0;
   int skipped_ = 0;
-  std::thread thread_;
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable keyframe_done_;
+  std::shared_ptr<const Reference> reference_;
+  int keyframes_pending_ = 0;
+  bool has_failed_ = false;
+  Worker worker_;  // last member: it ends before the others
 };
 
 }  // namespace edgevo

@@ -17,6 +17,8 @@ namespace {
 
 // Enough for 10 000 frames: three trajectories and frames.csv take about 600 bytes a frame.
 constexpr size_t kTextBytes = 6 << 20, kSummaryBytes = 64 << 10;
+// Writes that may wait: two a frame, so a second of a camera.
+constexpr size_t kMaxWrites = 60;
 
 const MapParams& checked(const MapParams& map) {
   map.check();
@@ -39,9 +41,8 @@ RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, 
       was_there(is_there(path)),
       folder(path),
       text_reserve(path, kTextBytes),
-      summary_reserve(path, kSummaryBytes) {
-  if (options.own_thread) writer.emplace();
-}
+      summary_reserve(path, kSummaryBytes),
+      writer({"writing", kMaxWrites, options.own_thread}) {}
 
 void RunOutputs::Impl::begin() {
   if (playback) return;
@@ -50,16 +51,10 @@ void RunOutputs::Impl::begin() {
   if (recovery_header) live.emplace(folder.path(), *recovery_header, std::move(*events));
 }
 
-void RunOutputs::Impl::write(std::function<void()> task) {
-  if (writer)
-    writer->post(std::move(task));
-  else
-    task();
-}
+// A disk that is too slow for long holds the run up.
+void RunOutputs::Impl::write(std::function<void()> task) { writer.submit_when_room(std::move(task)); }
 
-void RunOutputs::Impl::catch_up() {
-  if (writer) writer->wait();
-}
+void RunOutputs::Impl::catch_up() { writer.wait_idle(); }
 
 void RunOutputs::Impl::write_image(const Frame& frame, const std::string& image_path) {
   if (image_path.empty())

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "earlier_run.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/results/run_folder.h"
 #include "edgevo/results/run_outputs.h"
 #include "live_files.h"
 #include "resource_use.h"
 #include "space_reserve.h"
-#include "writer_thread.h"
 
 namespace edgevo {
 
@@ -22,7 +22,7 @@ struct RunOutputs::Impl {
 
   /// Sets an earlier run aside and opens the growing files, at the first frame.
   void begin();
-  /// Does it now, or in the writer's thread after what it was given before.
+  /// Does it now, or with OutputOptions::own_thread in the writer's thread, after what it was given before.
   void write(std::function<void()> task);
   /// Waits for the writer.
   void catch_up();
@@ -48,8 +48,9 @@ struct RunOutputs::Impl {
   std::optional<LiveFiles> live;
   std::atomic<bool> images_failed{false};
   std::string map_note;
-  /// With OutputOptions::own_thread. Last member: it ends before what it writes to.
-  std::optional<WriterThread> writer;
+  /// Files next to the frames: a disk that is busy holds a write up for 0.1 s. Last member: it ends before
+  /// what it writes to.
+  Worker writer;
 };
 
 }  // namespace edgevo

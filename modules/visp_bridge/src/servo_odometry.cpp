@@ -7,17 +7,13 @@ namespace edgevo {
 
 ServoOdometry::ServoOdometry(const Camera& camera, const OdometryParams& params,
                              const OdometryOptions& options, ServoFeed* feed)
-    : feed_(feed), odometry_(camera, params, options), thread_([this] { loop(); }) {}
-
-ServoOdometry::~ServoOdometry() { stop(); }
+    : feed_(feed), odometry_(camera, params, options), worker_({"servo"}) {}
 
 void ServoOdometry::push(GrayImage image, Timestamp time) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (waiting_) ++replaced_;
-    waiting_ = Frame{next_index_++, time, std::move(image)};
-  }
-  wake_.notify_one();
+  auto work = [this, frame = Frame{next_index_++, time, std::move(image)}]() mutable {
+    try_process(std::move(frame));
+  };
+  if (worker_.submit_over_oldest(std::move(work))) ++replaced_;
 }
 
 void ServoOdometry::push(const vpImage<unsigned char>& image, Timestamp time) {
@@ -25,25 +21,13 @@ void ServoOdometry::push(const vpImage<unsigned char>& image, Timestamp time) {
 }
 void ServoOdometry::push(const vpImage<vpRGBa>& image, Timestamp time) { push(to_gray_image(image), time); }
 
-int ServoOdometry::replaced() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return replaced_;
-}
-
-void ServoOdometry::loop() {
-  for (;;) {
-    std::unique_lock<std::mutex> lock(mutex_);
-    wake_.wait(lock, [this] { return stop_ || waiting_; });
-    if (!waiting_) return;
-    Frame frame = std::move(*waiting_);
-    waiting_.reset();
-    lock.unlock();
-    try {
-      process(std::move(frame));
-    } catch (const std::exception& e) {
-      feed_->fail(e.what());
-      return;
-    }
+void ServoOdometry::try_process(Frame frame) {
+  if (has_failed_) return;
+  try {
+    process(std::move(frame));
+  } catch (const std::exception& e) {
+    has_failed_ = true;
+    feed_->fail(e.what());
   }
 }
 
@@ -60,17 +44,8 @@ void ServoOdometry::process(Frame frame) {
   feed_->publish(odometry_.newest_pose());
 }
 
-void ServoOdometry::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stop_ = true;
-  }
-  wake_.notify_one();
-  if (thread_.joinable()) thread_.join();
-}
-
 Run ServoOdometry::finish() {
-  stop();
+  worker_.wait_idle();
   return odometry_.finish();
 }
 

@@ -9,17 +9,15 @@
 //
 //   LiveFeed feed(source, parse_pace("30"));
 //   while (auto fed = feed.next([] { return false; })) use(fed->frame);
-#include <condition_variable>
-#include <deque>
-#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
+#include "edgevo/core/bounded_queue.h"
 #include "edgevo/core/image_source.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/datasets/pace.h"
 
 namespace edgevo {
@@ -79,8 +77,9 @@ class LiveFeed {
   void read_all();
   std::optional<Frame> read();
   bool keep(Frame frame);
-  void drop_oldest();
-  bool wait_for_frame(const std::function<bool()>& stop, Waiting* waiting);
+  void keep_newest(Waiting waiting);
+  std::optional<Waiting> wait_for_frame(const std::function<bool()>& stop);
+  std::vector<Frame> dropped_before(int index);
   double due_s(const Waiting& waiting);
 
   ImageSource& source_;
@@ -91,13 +90,10 @@ class LiveFeed {
   Timestamp first_time_;
   double first_due_s_ = 0;
 
-  std::mutex mutex_;  // guards what follows
-  std::condition_variable came_, room_;
-  std::deque<Waiting> waiting_;
+  BoundedQueue<Waiting> waiting_;  // closed when either side has ended
+  std::mutex dropping_;            // guards dropped_
   std::vector<Frame> dropped_;
-  std::exception_ptr failure_;
-  bool ended_ = false, closed_ = false;
-  std::thread reader_;
+  Worker reader_;  // last member: it ends before the others
 };
 
 }  // namespace edgevo

@@ -12,12 +12,10 @@
 #include <visp3/core/vpImage.h>
 #include <visp3/core/vpRGBa.h>
 
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <atomic>
 
 #include "edgevo/core/time_order.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 
@@ -29,7 +27,6 @@ class ServoOdometry {
   /// `feed` must outlive this object. Throws InputError for an unusable camera or detector.
   ServoOdometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
                 ServoFeed* feed);
-  ~ServoOdometry();
   ServoOdometry(const ServoOdometry&) = delete;
   ServoOdometry& operator=(const ServoOdometry&) = delete;
 
@@ -43,26 +40,23 @@ class ServoOdometry {
   void push(const vpImage<vpRGBa>& image, Timestamp time);
 
   /// Number of waiting images that were replaced by newer ones.
-  int replaced() const;
+  int replaced() const { return replaced_; }
   /// Waits for the pushed images, ends the thread and returns the run. Call once. After a failure, which the
   /// feed reports too, the run is the part up to there.
   Run finish();
 
  private:
-  void loop();
+  void try_process(Frame frame);
   void process(Frame frame);
-  void stop();
 
   ServoFeed* feed_;
-  /// Used by the thread only, until it has ended.
+  // Used by the thread only, until it is idle.
   Odometry odometry_;
   TimeOrder times_;
-  mutable std::mutex mutex_;
-  std::condition_variable wake_;
-  std::optional<Frame> waiting_;
-  int next_index_ = 0, replaced_ = 0;
-  bool stop_ = false;
-  std::thread thread_;
+  bool has_failed_ = false;
+  int next_index_ = 0;  // of the camera's thread
+  std::atomic<int> replaced_{0};
+  Worker worker_;  // last member: it ends before the others
 };
 
 }  // namespace edgevo
