@@ -5,11 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "edgevo/core/motion_tolerance.h"
+
 namespace edgevo {
 namespace {
-
-// What makes a motion wrong (evaluation/frame_judge.h).
-constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;
 
 // Most doubt by what right motions do, too: a camera that speeds up, a keyframe whose view is new.
 constexpr double kMaxUnproven = 1;
@@ -41,26 +40,29 @@ double doubt_without_corners(const std::optional<CornerEvidence>& c) {
 
 double doubt_of_corner_motion(const CornerEvidence& c) {
   constexpr double kSigmas = 2.5;
-  const double of_length = limited(beyond(c.motion_error, kSigmas * c.motion_sigma) / kWrongShare);
-  const double of_depth =
-      std::isfinite(c.motion_error_depths) ? limited(c.motion_error_depths / kWrongDepths) : of_length;
+  const double of_length =
+      limited(beyond(c.motion_error, kSigmas * c.motion_sigma) / kMotionTolerance.share_of_length);
+  const double of_depth = std::isfinite(c.motion_error_depths)
+                              ? limited(c.motion_error_depths / kMotionTolerance.share_of_depth)
+                              : of_length;
   // A wrong rotation breaks the epipolar constraint: where hardly a corner does, it is the witness that is
   // wrong.
   constexpr double kContradicting = 0.2;
   const double credible =
       c.agreeing_share <= 1 ? std::min(1.0, (1 - c.agreeing_share) / kContradicting) : 1.0;
-  const double turn = credible * limited(beyond(c.rotation_deg, c.rotation_sigma_deg) / kWrongDeg);
+  const double turn =
+      credible * limited(beyond(c.rotation_deg, c.rotation_sigma_deg) / kMotionTolerance.rotation_deg);
   return std::max(knows_lengths(c) ? std::min(of_length, of_depth) : 0.0, turn);
 }
 
 double doubt_of_focal_length(double focal_error, double sigma, double turn_deg) {
   constexpr double kSigmas = 2;
   if (!(std::abs(focal_error) > kSigmas * sigma)) return 0;
-  return limited(std::abs(focal_error) / (1 + focal_error) * turn_deg / kWrongDeg);
+  return limited(std::abs(focal_error) / (1 + focal_error) * turn_deg / kMotionTolerance.rotation_deg);
 }
 
 double doubt_of_corner_scale(const CornerEvidence& c) {
-  constexpr double kWrong = 0.223;  // log 1.25
+  constexpr double kWrong = 0.223;  // log(1 + kMotionTolerance.share_of_length)
   return std::max(limited(beyond(c.change_10, c.change_10_sigma) / kWrong),
                   limited(beyond(c.change_50, c.change_50_sigma) / kWrong));
 }
@@ -75,7 +77,8 @@ double doubt_without_witness(const std::optional<CornerEvidence>& c, double pose
 
 double doubt_of_turn(double turn_rad, double length_depths, double error_per_rad) {
   const double error = error_per_rad * turn_rad;  // median depths
-  return std::min(limited(error / kWrongDepths), limited(error / (kWrongShare * length_depths)));
+  return std::min(limited(error / kMotionTolerance.share_of_depth),
+                  limited(error / (kMotionTolerance.share_of_length * length_depths)));
 }
 
 double turn_error(const CornerEvidence& c, double turn_rad) {

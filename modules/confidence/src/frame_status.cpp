@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/doubtful_intervals.h"
@@ -100,6 +101,26 @@ FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
   if (by_image.state == TrackingState::kLost || is_sure) return by_image;
   return {TrackingState::kDegraded,
           by_image.reason.empty() ? trust.reason : by_image.reason + "; " + trust.reason};
+}
+
+FrameStatus status_with_refusal(const FrameStatus& by_image, const std::string& reason) {
+  if (reason.empty() || by_image.state == TrackingState::kLost) return by_image;
+  return {TrackingState::kLost, reason};
+}
+
+FrameStatus status_after_step(const FrameStatus& status, double times) {
+  if (!(times > kGiantTimes) || status.state != TrackingState::kTracking) return status;
+  return {TrackingState::kDegraded, giant_step_in_words(times)};
+}
+
+FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image) {
+  const bool is_explained = !by_image || by_image->state == TrackingState::kTracking;
+  return {is_explained ? TrackingState::kTracking : TrackingState::kDegraded, {}};
+}
+
+void assign_status(FrameStatus status, FrameRecord* record) {
+  record->state = status.state;
+  record->note = std::move(status.reason);
 }
 
 double covariance_factor(double p_right) {

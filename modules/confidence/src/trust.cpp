@@ -7,6 +7,7 @@
 
 #include "doubts.h"
 #include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/motion_tolerance.h"
 #include "trust_table.h"
 
 namespace edgevo {
@@ -77,9 +78,8 @@ std::string scale_in_words(const CornerEvidence& c) {
 }
 
 std::string motion_in_words(const CornerEvidence& c) {
-  constexpr double kWrongDeg = 3;
   if (doubt_of_corner_scale(c) >= 1) return scale_in_words(c);
-  if (c.rotation_deg > kWrongDeg)
+  if (c.rotation_deg > kMotionTolerance.rotation_deg)
     return format("rotation over 10 frames differs from the corners' by %.1f degrees", c.rotation_deg);
   return format("motion over 10 frames differs from the corners' by %.0f %%", 100 * c.motion_error);
 }

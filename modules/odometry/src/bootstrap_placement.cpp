@@ -16,6 +16,13 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 
 }  // namespace
 
+void place_late(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
+                FrameLog* frames) {
+  const double times = frames->times_usual_step(record.index, segment, T_cam_ref * reference.T_ref_world);
+  assign_status(status_after_step({record.state, record.note}, times), &record);
+  frames->place(std::move(record), segment, reference, T_cam_ref);
+}
+
 SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
   if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
   const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
@@ -44,17 +51,16 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTra
     std::optional<FrameRecord> record = frames->find(view.frame_index);
     if (!record || !view.placed) continue;
     SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
-    record->state = TrackingState::kTracking;
+    std::optional<FrameStatus> status;
     if (tracks[i]) {
       const TrackResult& r = *tracks[i];
       add_pose(r, reference, &record->evidence);
-      const TrackingState state = frame_status(record->evidence, params.status).state;
-      if (state != TrackingState::kTracking) record->state = TrackingState::kDegraded;
-      if (state != TrackingState::kLost && !is_keyframe(view, bootstrap))
+      status = frame_status(record->evidence, params.status);
+      if (status->state != TrackingState::kLost && !is_keyframe(view, bootstrap))
         T_cam_ref = r.T_cur_ref, record->covariance = reported_covariance(r, reference);
     }
-    record->note.clear();
-    frames->place(std::move(*record), segment, reference, T_cam_ref);
+    assign_status(status_of_bootstrap_frame(status), &*record);
+    place_late(std::move(*record), segment, reference, T_cam_ref, frames);
   }
 }
 

@@ -41,12 +41,12 @@ void EarlyFrames::place(const BootstrapResult& views, const Reference& reference
         track(*frame.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
               params.alignment);
     add_pose(found, reference, &record->evidence);
-    record->state = frame_status(record->evidence, params.status).state;
-    if (record->state == TrackingState::kLost) return;
+    const TrackingState state = frame_status(record->evidence, params.status).state;
+    if (state == TrackingState::kLost) return;
+    assign_status({state, {}}, &*record);
     record->covariance = reported_covariance(found, reference);
-    record->note.clear();
     later = std::exchange(last, found.T_cur_ref);
-    frames->place(std::move(*record), segment, reference, found.T_cur_ref);
+    place_late(std::move(*record), segment, reference, found.T_cur_ref, frames);
   }
 }
 

@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "edgevo/confidence/trust.h"
-
 namespace edgevo {
 
 FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log)
@@ -56,10 +54,6 @@ void FrameLog::place(int segment, const Reference& reference, const SE3& T_cam_r
 
 void FrameLog::place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref) {
   FrameAnchored placed = anchored(std::move(record), segment, reference, T_cam_ref);
-  FrameRecord& frame = placed.frame;
-  if (const double times = run().times_usual_step(frame.index, *frame.T_world_cam_live);
-      times > kGiantTimes && frame.state == TrackingState::kTracking)
-    frame.state = TrackingState::kDegraded, frame.note = giant_step_in_words(times);
   if (placed.frame.index == newest_.frame.index)
     newest_ = std::move(placed);
   else

@@ -32,7 +32,7 @@ class FrameLog {
   void announce();
 
   /// Anchors an earlier frame, or the newest one, with a record that replaces the present one; announces an
-  /// earlier one. After a giant step (confidence/trust.h) it is not TRACKING.
+  /// earlier one.
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);

@@ -90,8 +90,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   announce_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
   trust.interrupt();
-  record.state = state.when_skipped();
-  record.note = why;
+  assign_status({state.when_skipped(), why}, &record);
   frames.announce();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
   frames.run();
@@ -148,13 +147,10 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   holds_pose = track.is_held;
   FrameStatus status = track.is_held ? status_of_held_pose(now.record->evidence, params.status)
                                      : frame_status(now.record->evidence, params.status);
-  if (const std::string reason = front_end.reason_against_step(track.result.T_cur_ref);
-      !reason.empty() && status.state != TrackingState::kLost)
-    status = {TrackingState::kLost, reason};
-  now.record->note = status.reason;
+  status = status_with_refusal(status, front_end.reason_against_step(track.result.T_cur_ref));
   act(now.frame, state.after(event_of(status.state), now.frame.index), status.reason);
   if (!state.has_pose()) {
-    now.record->state = TrackingState::kLost;
+    assign_status({TrackingState::kLost, status.reason}, now.record);
     trust.interrupt();
     health.add_lost();
     return;
@@ -167,7 +163,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   watch_health(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
   if (is_late) {
-    frames.place(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref);
+    place_late(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref, &frames);
   } else {
     frames.announce();
     frame_announced = true;
@@ -210,10 +206,8 @@ void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
   const SE3& T_cam_map = *newest_pose.T_cam_map;
   const FrameTrust found = trust.add({record->evidence, state.segment(), T_cam_map.inverse(),
                                       frames.times_usual_step(record->index, state.segment(), T_cam_map)});
-  const FrameStatus status = frame_status(by_image, found);
   record->p_right = found.p_right;
-  record->state = status.state;
-  record->note = status.reason;
+  assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
 }
 

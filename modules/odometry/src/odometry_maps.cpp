@@ -25,8 +25,9 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
 }
 
 void Odometry::Impl::refuse_pose(FrameRecord* record, const std::string& why) const {
-  record->state = state.without_pose(record->index, record->evidence.edges);
-  record->note = (record->note.empty() ? "" : record->note + "; ") + why;
+  assign_status({state.without_pose(record->index, record->evidence.edges),
+                 (record->note.empty() ? "" : record->note + "; ") + why},
+                record);
 }
 
 BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From the evidence on a frame to its status. The same functions select among the candidate poses of a frame,
-// so that the selected one is lost only if all are. A step that is many times the usual one makes a frame
-// LOST or DEGRADED elsewhere (tracking/motion_model.h, odometry/src/frame_log.cpp).
+// From the evidence on a frame to its status, and into its record: assign_status() alone writes it there. The
+// same functions select among the candidate poses of a frame, so that the selected one is lost only if all
+// are.
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "edgevo/alignment/pose_choice.h"
 #include "edgevo/confidence/status_params.h"
 #include "edgevo/confidence/trust.h"
 #include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/records.h"
 #include "edgevo/core/tracking_state.h"
 
 namespace edgevo {
@@ -48,6 +50,18 @@ FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams para
 /// (core/doubtful_intervals.h), or after a giant step, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
+/// Status of a frame whose pose is refused, as after a step beyond MotionModel::largest_step(): LOST for that
+/// reason, if there is one, unless the image has refused it already.
+FrameStatus status_with_refusal(const FrameStatus& by_image, const std::string& reason);
+/// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a giant step,
+/// `times` the usual one (NaN: not known).
+FrameStatus status_after_step(const FrameStatus& status, double times);
+/// Status of a frame whose pose the two-view reconstruction has given: TRACKING, or DEGRADED if the map
+/// explains its image too little. `by_image`: nothing if the image is gone.
+FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image);
+/// Writes state and note of a record.
+void assign_status(FrameStatus status, FrameRecord* record);
+
 /// Factor on the covariance of a pose with this p_right: 1 from kDoubtfulBelow on, (kDoubtfulBelow / p)^2
 /// below, at most 100.
 double covariance_factor(double p_right);

@@ -10,11 +10,12 @@
 #include <vector>
 
 #include "edgevo/alignment/reference.h"
+#include "edgevo/core/motion_tolerance.h"
 
 namespace edgevo {
 
 /// Frames that p_right speaks of.
-constexpr int kDoubtReach = 10;
+inline constexpr int kDoubtReach = kMotionTolerance.frames;
 
 /// What a frame was tracked against.
 struct SureView {

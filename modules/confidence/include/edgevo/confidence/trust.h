@@ -6,7 +6,7 @@
 // probability: more doubt never makes p_right larger. Weights and table are fitted to runs with ground truth
 // by share/training/fit_trust.cpp and are in src/trust_table.h.
 //
-// "Right" is what evaluation/frame_judge.h calls so: over ten frames, the translation in the scale of the
+// "Right" is what core/motion_tolerance.h calls so: over ten frames, the translation in the scale of the
 // fifty before, and the rotation.
 #include <array>
 #include <cmath>
@@ -18,6 +18,7 @@
 #include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/angle.h"
 #include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/motion_tolerance.h"
 #include "edgevo/core/se3.h"
 
 namespace edgevo {
@@ -103,7 +104,7 @@ class Trust {
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
-  static constexpr size_t kFrames = 10;
+  static constexpr size_t kFrames = size_t(kMotionTolerance.frames);
   /// What the map is to blame for stays longer.
   static constexpr size_t kMapFrames = 20;
   /// What is usual is the median over so many frames.
