@@ -69,7 +69,7 @@ void MapLink::correct(PyramidBuilder* builder, const ImageCorrection& correction
 }
 
 void MapLink::submit(TrackedFrame frame) {
-  if (shedding_ >= Shedding::kDepths && !frame.make_keyframe && frame.return_to < 0)
+  if (shedding_ >= Shedding::kDepths && !frame.is_needed() && frame.return_to < 0)
     ++depths_shed_;
   else
     thread_.submit(std::move(frame));

@@ -38,6 +38,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
       frames(rectification, log),
       adjustments(log),
+      units(working, o.realtime),
       front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule}),
       map(rectification, p, o, log),
       bootstrapper(rectification, p, o.seed, &map, &frames) {
@@ -214,44 +215,25 @@ void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
 // ---- doubt ----
 
 void Odometry::Impl::watch_health(const ArrivedFrame& now, TrackedFrame* tracked) {
-  using Health = HealthWatch::Health;
   const SureView view{now.frame.index, state.segment(), front_end.reference()};
-  const Health found = health.add(now.frame.index, view, is_doubtful(*now.record));
-  tracked->is_in_doubt = found == Health::kInDoubt;
-  if (found == Health::kReturned) tracked->doubt_ended = end_doubt(now, view);
-  if (found == Health::kSure) tracked->doubt_ended = compare_again(now, view);
-}
-
-// By a view of the unit that is looked for since an earlier doubt, if it can be, else by that before this
-// one.
-DoubtEnded Odometry::Impl::end_doubt(const ArrivedFrame& now, const SureView& view) {
-  DoubtEvaluation found;
-  if (open_unit.is_open()) found = compare_unit(now, open_unit.before(), view);
-  if (!found.unit || !found.unit->is_linked()) found = compare_unit(now, health.before(), view);
-  now.record->evidence.unit = found.unit;
-  if (found.unit) say(now.frame, "sure again; " + in_words(*found.unit));
-  return found.ended;
-}
-
-std::optional<DoubtEnded> Odometry::Impl::compare_again(const ArrivedFrame& now, const SureView& view) {
-  if (!open_unit.is_due(now.frame.index, view)) return std::nullopt;
-  const DoubtEvaluation found = compare_unit(now, open_unit.before(), view);
-  if (!found.unit || !found.unit->is_linked()) return std::nullopt;
-  say(now.frame, "the view before the doubt is seen again; " + in_words(*found.unit));
-  return found.ended;
+  const HealthWatch::Health found = health.add(now.frame.index, view, is_doubtful(*now.record));
+  tracked->is_in_doubt = found == HealthWatch::Health::kInDoubt;
+  units.begin(found, now.frame.index, view, health.before(),
+              [&](int segment) { return frames.T_world_map(segment).scale; });
+  if (const std::optional<UnitAnswer> answer = units.take(found, view))
+    tracked->doubt_ended = end_doubt(now, *answer);
 }
 
 // What links the map to a view before several doubts ends all of them.
-DoubtEvaluation Odometry::Impl::compare_unit(const ArrivedFrame& now, const std::vector<SureView>& before,
-                                             const SureView& view) {
-  const bool is_open = &before == &open_unit.before();
-  DoubtEvaluation found =
-      evaluate_doubt(working, before, view, is_open ? open_unit.sigma(view.segment) : OpenUnit::kUnknown,
-                     [&](int segment) { return frames.T_world_map(segment).scale; });
-  if (!found.unit) return found;
-  if (is_open && found.unit->is_linked()) frames.link_units(view.segment, *found.unit);
-  open_unit.note(now.frame.index, before, view, *found.unit);
-  return found;
+std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, const UnitAnswer& answer) {
+  for (const ComparedUnit& c : answer.compared)
+    if (c.is_open && c.unit.is_linked()) frames.link_units(answer.now.segment, c.unit);
+  const std::optional<UnitComparison>& unit = answer.found.unit;
+  if (!answer.ends_doubt && !answer.is_linked()) return std::nullopt;
+  if (answer.ends_doubt) now.record->evidence.unit = unit;
+  const char* what = answer.ends_doubt ? "sure again; " : "the view before the doubt is seen again; ";
+  if (unit) say(now.frame, what + in_words(*unit));
+  return answer.found.ended;
 }
 
 void Odometry::Impl::change_unit(double length_ratio) {

@@ -7,7 +7,6 @@
 
 #include "bootstrapper.h"
 #include "concurrent_bootstrap.h"
-#include "doubt_evaluation.h"
 #include "early_frames.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/confidence/health_watch.h"
@@ -21,8 +20,8 @@
 #include "frame_log.h"
 #include "frame_order.h"
 #include "map_link.h"
-#include "open_unit.h"
 #include "state_machine.h"
+#include "unit_comparisons.h"
 
 namespace edgevo {
 
@@ -55,11 +54,8 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
-  DoubtEnded end_doubt(const ArrivedFrame& now, const SureView& view);
-  // The end of an earlier doubt, if the unit of before is found now.
-  std::optional<DoubtEnded> compare_again(const ArrivedFrame& now, const SureView& view);
-  DoubtEvaluation compare_unit(const ArrivedFrame& now, const std::vector<SureView>& before,
-                               const SureView& view);
+  // Of this doubt, or of an earlier one whose unit is found now; nothing if it is still not.
+  std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const UnitAnswer& answer);
   // The map has set its unit back.
   void change_unit(double length_ratio);
 
@@ -105,7 +101,7 @@ struct Odometry::Impl {
   MapCursor adjustments;
   Trust trust;
   HealthWatch health;
-  OpenUnit open_unit;
+  UnitComparisons units;
   FrontEnd front_end;
   OwnParts own_parts;
   EarlyFrames early;  // not with `concurrent`
