@@ -170,7 +170,7 @@ std::shared_ptr<const Clip> through_round_lens(Clip clip) {
   return std::make_shared<const Clip>(std::move(clip));
 }
 
-// The outline of the border mask is no edge of the scene (edges/src/border_mask.h).
+// The outline of the border mask is no edge of the scene (segmentation/src/border_mask.h).
 TEST(RenderedAccuracy, AStreetThroughARoundLens) {
   // Seeds 1 to 5: up to 0.041 %, 0.0027.
   expect_sequence_within({through_round_lens(*street_sequence().clip), street_sequence().truth},

@@ -5,7 +5,6 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "border_mask.h"
 #include "deep_image.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
@@ -13,9 +12,7 @@
 #include "edgevo/edges/edge_extraction.h"
 #include "edgevo/edges/opencv_view.h"
 #include "edgevo/files/image_names.h"
-#include "fixed_parts.h"
 #include "halve.h"
-#include "own_mask.h"
 #include "undistortion.h"
 
 namespace edgevo {
@@ -68,7 +65,8 @@ struct RawGray {
 
 // What is known about an image besides its gray values.
 struct KnownAreas {
-  std::shared_ptr<const Plane<uint8_t>> border, own, likely;
+  ImageMasks masks;
+  std::shared_ptr<const Plane<uint8_t>> likely;
 };
 
 }  // namespace
@@ -88,9 +86,6 @@ struct PyramidBuilder::Impl {
   std::unique_ptr<EdgeProbability> probability;
   std::shared_ptr<const LensTables> lens;
   std::shared_ptr<const ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
-  BorderMask border;                                   // of the raw images
-  FixedParts fixed;
-  OwnMask own;
 
   const Pinhole& target() const { return rectification.target(); }
   bool has_area() const { return rectification.camera().width > 1 && rectification.camera().height > 1; }
@@ -151,37 +146,31 @@ struct PyramidBuilder::Impl {
   }
 
   // `border`, `own`: masks of the finest level, or empty; `likely`: probability on this level, or empty.
-  // `watch`: look for parts that are fixed to the camera.
+  // `observer`: null, or it is given the edges.
   void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& own,
-                  const Plane<uint8_t>& likely, bool watch, PyramidLevel* level) {
+                  const Plane<uint8_t>& likely, ViewObserver* observer, PyramidLevel* level) {
     Gradient gradient = level->with_gray([](const auto& gray) { return compute_gradient(gray); });
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     if (!border.empty()) clear_masked(border, l, &mask);
     if (!lens->missing.empty()) clear_masked(lens->missing, l, &mask);
     if (!own.empty()) {
       // Also behind the mask: it is taken back if its edges move after all.
-      if (watch) look_for_fixed_parts(l, extract_edges(mask, gradient, params.min_chain), gradient);
+      if (observer)
+        observer->add_edges(extract_edges(mask, gradient, params.min_chain), gradient, l, correction);
       clear_masked(own, l, &mask);
     }
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    if (watch && own.empty()) look_for_fixed_parts(l, level->edges, gradient);
+    if (observer && own.empty()) observer->add_edges(level->edges, gradient, l, correction);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
 
-  void look_for_fixed_parts(int l, const ImageEdges& edges, const Gradient& gradient) {
-    if (!fixed.add(edges, gradient)) return;
-    if (fixed.area())
-      own.set_found(raw_area(*fixed.area(), l, rectification, correction));
-    else
-      own.clear_found();
-  }
-
   std::shared_ptr<const FramePyramid> take(const GrayImage& image, const std::string& name,
-                                           const ImageMotion& motion);
-  // `raw`: of `image`.
+                                           const ImageMotion& motion, ViewObserver* observer);
+  // `raw`: of `image`; `observer`: null, or it is given the edges.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const RawGray& raw,
-                                            const ImageMotion& motion, KnownAreas known, bool watch);
+                                            const ImageMotion& motion, KnownAreas known,
+                                            ViewObserver* observer);
   void fill_level(int l, const RawGray& raw, const ImageMotion& motion, std::vector<PyramidLevel>* levels);
 };
 
@@ -201,17 +190,7 @@ PyramidBuilder PyramidBuilder::for_rebuilding(const Rectification& rectification
 PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                std::unique_ptr<EdgeDetector> detector,
                                std::unique_ptr<EdgeProbability> probability)
-    : impl_(new Impl{rectification,
-                     {},
-                     params,
-                     std::move(detector),
-                     std::move(probability),
-                     {},
-                     {},
-                     {},
-                     {},
-                     OwnMask(params.mask, rectification.camera().pinhole().width,
-                             rectification.camera().pinhole().height)}) {
+    : impl_(new Impl{rectification, {}, params, std::move(detector), std::move(probability), {}, {}}) {
   rectification.check("camera");
   impl_->make_maps();
 }
@@ -233,17 +212,20 @@ void PyramidBuilder::share_correction(const PyramidBuilder& other) {
   impl_->rolling = other.impl_->rolling;
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion) {
-  return impl_->take(image, {}, motion);
+std::shared_ptr<const FramePyramid> PyramidBuilder::build(const GrayImage& image, const ImageMotion& motion,
+                                                          ViewObserver* observer) {
+  return impl_->take(image, {}, motion, observer);
 }
 
-std::shared_ptr<const FramePyramid> PyramidBuilder::build(const Frame& frame, const ImageMotion& motion) {
-  return impl_->take(frame.image, image_name(frame), motion);
+std::shared_ptr<const FramePyramid> PyramidBuilder::build(const Frame& frame, const ImageMotion& motion,
+                                                          ViewObserver* observer) {
+  return impl_->take(frame.image, image_name(frame), motion, observer);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& image,
                                                                const std::string& name,
-                                                               const ImageMotion& motion) {
+                                                               const ImageMotion& motion,
+                                                               ViewObserver* observer) {
   const Camera& expected = rectification.camera();
   if (image.width != expected.width || image.height != expected.height)
     throw InputError("image",
@@ -255,14 +237,15 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
   const RawGray raw(image);
   std::shared_ptr<const Plane<uint8_t>> likely;
   if (probability) likely = std::make_shared<const Plane<uint8_t>>(probability->estimate(raw.pixels, name));
-  border.add(raw.pixels);
-  return build(image, raw, motion, {border.mask(), own.mask(), std::move(likely)}, params.find_own_parts);
+  const ImageMasks masks = observer ? observer->add_image(raw.pixels) : ImageMasks();
+  return build(image, raw, motion, {masks, std::move(likely)},
+               observer && observer->wants_edges() ? observer : nullptr);
 }
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
                                                             const ImageMotion& motion) {
   return impl_->build(old.source, RawGray(old.source), motion,
-                      {old.border_mask, old.own_mask, old.probability}, false);
+                      {{old.border_mask, old.own_mask}, old.probability}, nullptr);
 }
 
 void PyramidBuilder::Impl::fill_level(int l, const RawGray& raw, const ImageMotion& motion,
@@ -280,11 +263,11 @@ void PyramidBuilder::Impl::fill_level(int l, const RawGray& raw, const ImageMoti
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage& image, const RawGray& raw,
                                                                 const ImageMotion& motion, KnownAreas known,
-                                                                bool watch) {
+                                                                ViewObserver* observer) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
-  pyramid->border_mask = std::move(known.border);
-  pyramid->own_mask = std::move(known.own);
+  pyramid->border_mask = std::move(known.masks.border);
+  pyramid->own_mask = std::move(known.masks.own);
   pyramid->probability = std::move(known.likely);
   pyramid->correction = correction;
   pyramid->levels.resize(size_t(params.levels));
@@ -299,12 +282,9 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
     if (l > 0 && !likely_here.empty() && l < params.edge_levels)
       likely_here = halved(likely_here, level.pinhole);
     if (l < params.edge_levels)
-      find_edges(l, border_here, pyramid->own_area, likely_here, watch && l == params.edge_levels - 1,
-                 &level);
+      find_edges(l, border_here, pyramid->own_area, likely_here,
+                 l == params.edge_levels - 1 ? observer : nullptr, &level);
   }
-  // What was found in this image holds from the next one on.
-  pyramid->may_show_own_part = watch && (fixed.is_undecided() || own.mask() != pyramid->own_mask);
-  if (watch) pyramid->still = fixed.still_cells();
   return pyramid;
 }
 

@@ -38,7 +38,7 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
   add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
-  if (status.result && own_parts.delays_map(*now.pyramid)) {
+  if (status.result && own_parts.delays_map(now.may_show_own_part)) {
     resume();
     return {std::nullopt, OwnParts::kDelayReason};
   }

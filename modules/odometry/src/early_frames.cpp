@@ -19,7 +19,7 @@ constexpr size_t kMaxUsually = 16;         // a part is suspected after a few im
 
 void EarlyFrames::add(const ArrivedFrame& now) {
   frames_.push_back({now.frame.index, now.pyramid});
-  const bool is_suspected = is_needed_ || now.pyramid->may_show_own_part;
+  const bool is_suspected = is_needed_ || now.may_show_own_part;
   while (frames_.size() > (is_suspected ? kMaxWhileSuspected : kMaxUsually)) frames_.pop_front();
 }
 

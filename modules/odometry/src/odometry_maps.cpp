@@ -34,7 +34,8 @@ BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {
   const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
-  if (status.result && own_parts.delays_map(*now.pyramid)) return {std::nullopt, OwnParts::kDelayReason};
+  if (status.result && own_parts.delays_map(now.may_show_own_part))
+    return {std::nullopt, OwnParts::kDelayReason};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
   status.reason = make_map(now, *status.result);
@@ -119,7 +120,7 @@ void Odometry::Impl::follow_late() {
   const TraceScope traced("late frame", late.frame.index);
   change_reference(late.frame);
   front_end.begin_frame(late.frame.time);
-  follow_map({late.frame, late.pyramid, late.rows, &*record}, true);
+  follow_map({late.frame, late.pyramid, late.rows, late.still, false, &*record}, true);
   frames.announce();
   if (!state.has_pose()) concurrent->give_up_late();
 }

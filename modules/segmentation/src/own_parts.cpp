@@ -29,8 +29,8 @@ bool OwnParts::take(const FramePyramid& frame) {
   return true;
 }
 
-bool OwnParts::delays_map(const FramePyramid& frame) {
-  if (!frame.may_show_own_part) return false;
+bool OwnParts::delays_map(bool may_show_own_part) {
+  if (!may_show_own_part) return false;
   return ++delayed_ <= kMaxDelayed;
 }
 

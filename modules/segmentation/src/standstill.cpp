@@ -15,16 +15,15 @@ constexpr double kMovedPx = 1;          // across the edge: still edges have mov
 constexpr double kExplained = 0.6;      // share of what stands still, by a camera that stands
 
 // Points of known depth in the part that stands still, as a camera at T_cur_ref sees them.
-std::vector<size_t> points_in(const FramePyramid& frame, const ReferenceCloud& cloud, const SE3& T_cur_ref) {
-  const Pinhole& camera = frame.finest().pinhole;
+std::vector<size_t> points_in(const StillCells& cells, const Pinhole& camera, const ReferenceCloud& cloud,
+                              const SE3& T_cur_ref) {
   const Eigen::Matrix3d R = T_cur_ref.R();
   std::vector<size_t> inside;
   for (size_t i = 0; i < cloud.points.size(); ++i) {
     const CloudPoint& c = cloud.points[i];
     if (c.host_keyframe < 0) continue;  // its depth is a guess
     const Projection p = project(camera, R, T_cur_ref.translation(), c.ray, c.idepth);
-    if (p.valid && camera.contains(p.px) &&
-        frame.still.contain(p.px.x() / camera.width, p.px.y() / camera.height))
+    if (p.valid && camera.contains(p.px) && cells.contain(p.px.x() / camera.width, p.px.y() / camera.height))
       inside.push_back(i);
   }
   return inside;
@@ -46,12 +45,13 @@ bool moves(const Pinhole& camera, const std::vector<CloudPoint>& points, const S
 
 }  // namespace
 
-std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& frame,
+std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& frame, const StillCells& cells,
                                                         const std::shared_ptr<const Reference>& reference,
                                                         const SE3& T_cur_ref,
                                                         const AlignmentParams& params) const {
-  if (frame.still.empty() || !T_standing_ref_ || !was_seen_to_stand_) return nullptr;
-  const std::vector<size_t> inside = points_in(frame, reference->cloud, *T_standing_ref_);
+  if (cells.empty() || !T_standing_ref_ || !was_seen_to_stand_) return nullptr;
+  const std::vector<size_t> inside =
+      points_in(cells, frame.finest().pinhole, reference->cloud, *T_standing_ref_);
   if (inside.size() < kMinStillPoints) return nullptr;
   auto still = std::make_shared<Reference>(*reference);
   still->cloud = part_of(reference->cloud, inside);
@@ -65,20 +65,19 @@ std::shared_ptr<const Reference> Standstill::still_part(const FramePyramid& fram
   return still;
 }
 
-bool Standstill::stands(const FramePyramid& frame, const ReferenceCloud& cloud, const SE3& T_cur_ref,
-                        const Eigen::Vector3d& usual_step) const {
-  if (frame.still.empty() || !T_standing_ref_) return false;
-  const std::vector<size_t> inside = points_in(frame, cloud, *T_standing_ref_);
+bool Standstill::stands(const StillCells& cells, const Pinhole& camera, const ReferenceCloud& cloud,
+                        const SE3& T_cur_ref, const Eigen::Vector3d& usual_step) const {
+  if (cells.empty() || !T_standing_ref_) return false;
+  const std::vector<size_t> inside = points_in(cells, camera, cloud, *T_standing_ref_);
   if (inside.size() < kMinStillPoints) return false;
-  const Pinhole& camera = frame.finest().pinhole;
   const std::vector<CloudPoint> points = part_of(cloud, inside).points;
   const SE3 T_usual(Eigen::Quaterniond::Identity(), usual_step);
   return !moves(camera, points, *T_standing_ref_, T_cur_ref) &&
          moves(camera, points, *T_standing_ref_, T_usual * *T_standing_ref_);
 }
 
-void Standstill::follow(const FramePyramid& frame, const SE3& T_cur_ref, bool stands) {
-  if (frame.still.empty() || !T_standing_ref_) {
+void Standstill::follow(const StillCells& cells, const SE3& T_cur_ref, bool stands) {
+  if (cells.empty() || !T_standing_ref_) {
     T_standing_ref_ = T_cur_ref;
     was_seen_to_stand_ = false;
   }

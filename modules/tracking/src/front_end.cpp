@@ -18,6 +18,7 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
     : params_(params),
       rectification_(rectification),
       builder_(rectification, params.edges, options.detectors),
+      masks_(rectification, params.edges),
       random_(Random::derive(options.seed, 3)),
       keyframes_(rectification.target(), params.keyframe),
       coverage_(params.bootstrap_out_of_view) {
@@ -26,9 +27,10 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
   const RowRectification rows{row_time(builder_.correction()), expected_motion(has_pose), rectification_};
-  newest_pyramid_ = builder_.build(frame, rows.expected);
-  if (newest_pyramid_->still.empty()) standstill_.clear();
-  return {frame, newest_pyramid_, rows, nullptr};
+  newest_pyramid_ = builder_.build(frame, rows.expected, &masks_);
+  StillCells still = masks_.still_cells();
+  if (still.empty()) standstill_.clear();
+  return {frame, newest_pyramid_, rows, std::move(still), masks_.may_show_own_part()};
 }
 
 // The motion for which the rows of the next image are rectified: constant velocity.
@@ -50,8 +52,8 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   record.evidence.step_sigmas = track.step_sigmas;
   if (!is_lost(classify(record.evidence, params_.status)))
     track.result.smooth_px2 = smooth_error_.add(track.result.smooth);
-  record.evidence.stands =
-      standstill_.stands(*now.pyramid, reference_->cloud, track.result.T_cur_ref, motion_.usual_step());
+  record.evidence.stands = standstill_.stands(now.still, now.pyramid->finest().pinhole, reference_->cloud,
+                                              track.result.T_cur_ref, motion_.usual_step());
   return track;
 }
 
@@ -87,7 +89,7 @@ Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
 void FrontEnd::hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found) {
   if (classify(evidence_of(found->result), params_.status) == PoseSupport::kGood) return;
   std::shared_ptr<const Reference> still =
-      standstill_.still_part(*now.pyramid, reference_, found->result.T_cur_ref, params_.alignment);
+      standstill_.still_part(*now.pyramid, now.still, reference_, found->result.T_cur_ref, params_.alignment);
   if (!still) return;
   const double corner_ms = found->corner_ms;
   *found = hold_pose(task(now, *still, was_lost), standstill_.T_standing_ref());
@@ -112,7 +114,7 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
   motion_.follow(track.result.T_cur_ref, track.used_median_motion);
-  standstill_.follow(*now.pyramid, track.result.T_cur_ref, now.record->evidence.stands);
+  standstill_.follow(now.still, track.result.T_cur_ref, now.record->evidence.stands);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;

@@ -13,6 +13,7 @@
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/nearest_field.h"
 #include "edgevo/edges/plane.h"
+#include "edgevo/edges/view_observer.h"
 
 namespace edgevo {
 
@@ -40,23 +41,6 @@ struct PyramidLevel {
   }
 };
 
-/// The part of a view that stands still while the camera seems to stand: cells over the image, known from the
-/// edges alone. Their edges have kept their place, within half a pixel of the coarsest level with edges,
-/// since before the camera seemed to stand.
-struct StillCells {
-  /// Number of cells across and down; 0: the view moves.
-  int columns = 0, rows = 0;
-  /// By row: 1 for a cell that stands still.
-  std::vector<uint8_t> is_still = {};
-
-  /// Whether there are none.
-  bool empty() const { return is_still.empty(); }
-  /// Whether a place lies in one of them; shares of width and height, 0 to below 1.
-  bool contain(double across, double down) const {
-    return !empty() && is_still[size_t(int(down * rows) * columns + int(across * columns))] != 0;
-  }
-};
-
 /// Pyramid of a frame. Immutable once it is built.
 struct FramePyramid {
   /// Levels, finest first.
@@ -64,17 +48,13 @@ struct FramePyramid {
   /// Raw image, kept to rebuild the pyramid when the camera is corrected.
   GrayImage source;
   /// Mask of `source`, 255 where no light ever reaches it, so that no edges are extracted; null if there is
-  /// no such area, and for the first images.
+  /// no such area.
   std::shared_ptr<const Plane<uint8_t>> border_mask;
   /// Mask of `source`, 255 on parts that are fixed to the camera, given or found, so that no edges are
   /// extracted; null if there are none.
   std::shared_ptr<const Plane<uint8_t>> own_mask;
   /// The same in the finest level; empty if there are none.
   Plane<uint8_t> own_area;
-  /// Whether a part of the view may be fixed to the camera, which the next images will show.
-  bool may_show_own_part = false;
-  /// What stands still before a camera that seems to stand; empty in a rebuilt pyramid.
-  StillCells still;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.
@@ -115,13 +95,15 @@ class PyramidBuilder {
   void share_correction(const PyramidBuilder& other);
   /// Builds the pyramid of a raw image. Throws InputError if it does not have the size of the camera.
   /// `motion` is the image motion at that time, used to rectify a rolling shutter; without it the rows stay
-  /// unchanged. Pass the images of one camera in order: areas that no image so far has lit (a letterbox) get
-  /// no edges, nor do parts that were found to be fixed to the camera. Cost: tests/bench/bench_edges.cpp.
-  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {});
+  /// unchanged. `observer` gives the masks of the image, and sees its edges; null: nothing is masked. Cost:
+  /// tests/bench/bench_edges.cpp.
+  std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {},
+                                            ViewObserver* observer = nullptr);
   /// Builds the pyramid of a frame, whose name the detector `precomputed` uses to find its files; throws
   /// InputError if there is none.
-  std::shared_ptr<const FramePyramid> build(const Frame& frame, const ImageMotion& motion = {});
-  /// Rebuilds the pyramid of the same image with the present correction and another motion.
+  std::shared_ptr<const FramePyramid> build(const Frame& frame, const ImageMotion& motion = {},
+                                            ViewObserver* observer = nullptr);
+  /// Rebuilds the pyramid of the same image, with its masks, the present correction and another motion.
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run does about parts that are fixed to the camera (edges/src/fixed_parts.h): when a map must wait,
-// and what is said.
+// What a run does about parts that are fixed to the camera (segmentation/src/fixed_parts.h): when a map must
+// wait, and what is said.
 #include <memory>
 #include <string>
 
@@ -19,8 +19,9 @@ class OwnParts {
   bool take(const FramePyramid& frame);
   /// One line about the last change.
   const std::string& description() const { return description_; }
-  /// Whether no map is to be made of this frame: parts of it may yet turn out to be fixed. Never for long.
-  bool delays_map(const FramePyramid& frame);
+  /// Whether no map is to be made of a frame in which a part may be fixed to the camera
+  /// (ViewMasks::may_show_own_part). Never for long.
+  bool delays_map(bool may_show_own_part);
 
  private:
   std::shared_ptr<const Plane<uint8_t>> newest_;

@@ -15,6 +15,7 @@
 #include "edgevo/mapping/mapper.h"
 #include "edgevo/segmentation/moving_bodies.h"
 #include "edgevo/segmentation/standstill.h"
+#include "edgevo/segmentation/view_masks.h"
 #include "edgevo/tracking/corner_search.h"
 #include "edgevo/tracking/frame_tracker.h"
 #include "edgevo/tracking/frame_view.h"
@@ -44,8 +45,12 @@ struct ArrivedFrame {
   std::shared_ptr<const FramePyramid> pyramid;
   /// How the rows of its image were rectified.
   RowRectification rows;
+  /// What the images up to it show without a pose (ViewMasks).
+  StillCells still;
+  /// Whether a part of its view may be fixed to the camera.
+  bool may_show_own_part = false;
   /// Record of the frame; null until it is begun.
-  FrameRecord* record;
+  FrameRecord* record = nullptr;
 };
 
 /// Edges, pose and keyframe decision of each frame; for the tracking thread.
@@ -117,6 +122,7 @@ class FrontEnd {
   TrackingParams params_;
   Rectification rectification_;
   PyramidBuilder builder_;
+  ViewMasks masks_;
   Random random_;                                 // for corners
   std::unique_ptr<CornerSearch> corners_beside_;  // only with TrackingOptions::corners_beside
   MotionModel motion_;

@@ -11,12 +11,21 @@ namespace edgevo {
 
 /// A frame without its image.
 struct LateFrame {
+  /// Of a frame that has arrived.
+  explicit LateFrame(const ArrivedFrame& arrived)
+      : pyramid(arrived.pyramid), rows(arrived.rows), still(arrived.still) {
+    frame.index = arrived.frame.index;
+    frame.time = arrived.frame.time;
+  }
+
   /// Index and time.
   Frame frame;
   /// Its edge pyramid.
   std::shared_ptr<const FramePyramid> pyramid;
   /// How the rows of its image were rectified.
   RowRectification rows;
+  /// What stands still in its view.
+  StillCells still;
 };
 
 /// A queue of such frames, bounded like what a camera may have waiting.
@@ -30,7 +39,7 @@ class LateFrames {
   void add(const ArrivedFrame& arrived) {
     constexpr size_t kMax = 24;
     if (frames_.size() >= kMax) frames_.pop_front();
-    frames_.push_back({{arrived.frame.index, arrived.frame.time, {}, {}}, arrived.pyramid, arrived.rows});
+    frames_.emplace_back(arrived);
   }
   /// Drops the frames up to this index.
   void drop_until(int index) {

@@ -13,12 +13,12 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kEvery = 2;             // of the edge pixels, along the edge, are candidates
-constexpr int kColumns = 16, kRows = 8;  // cells of the view
-constexpr float kFaintest = 8;           // Sobel units: noise alone makes half as much
-constexpr float kSameDirection = 0.9f;   // cosine
-constexpr int kMinInCell = 4;            // strong edges that show whether a cell moves
-constexpr double kMinCellsMoving = 0.5;  // share of the cells with edges
+constexpr size_t kEvery = 2;                     // of the edge pixels, along the edge, are candidates
+constexpr int kViewColumns = 16, kViewRows = 8;  // cells of the view
+constexpr float kFaintest = 8;                   // Sobel units: noise alone makes half as much
+constexpr float kSameDirection = 0.9f;           // cosine
+constexpr int kMinStrongInCell = 4;              // strong edges that show whether a cell moves
+constexpr double kMinCellsMoving = 0.5;          // share of the cells with edges
 // Directions of edges, and regions of the view by row and column, whose shares are measured.
 constexpr int kDirections = 12, kRegions = 3;
 constexpr double kPriorEdges = 20;
@@ -63,8 +63,8 @@ int count(const Plane<uint8_t>& plane) { return plane.empty() ? 0 : cv::countNon
 }  // namespace
 
 int FixedParts::cell(float x, float y) const {
-  return std::min(kRows - 1, int(y) * kRows / height_) * kColumns +
-         std::min(kColumns - 1, int(x) * kColumns / width_);
+  return std::min(kViewRows - 1, int(y) * kViewRows / height_) * kViewColumns +
+         std::min(kViewColumns - 1, int(x) * kViewColumns / width_);
 }
 
 void FixedParts::prepare(int width, int height) {
@@ -85,7 +85,7 @@ void FixedParts::compare_cells() {
   std::vector<float> strengths;
   for (size_t i = 0; i < candidates_.size(); i += 16) strengths.push_back(candidates_[i].strength);
   const float strong = median(std::move(strengths));
-  std::vector<int> all(kColumns * kRows), seen(kColumns * kRows);
+  std::vector<int> all(kViewColumns * kViewRows), seen(kViewColumns * kViewRows);
   for (const FixedCandidate& c : candidates_) {
     if (c.strength < strong || (area_ && area_->at(nearest_pixel(c.x), nearest_pixel(c.y)))) continue;
     const size_t i = size_t(cell(c.x, c.y));
@@ -98,7 +98,7 @@ void FixedParts::compare_cells() {
   moves_.assign(all.size(), 0);
   motion_ = {};
   for (size_t i = 0; i < all.size(); ++i) {
-    if (all[i] < kMinInCell) continue;
+    if (all[i] < kMinStrongInCell) continue;
     ++motion_.cells;
     moves_[i] = 2 * seen[i] < all[i];
     motion_.moving += moves_[i];
@@ -114,7 +114,7 @@ void FixedParts::compare_cells() {
 }
 
 StillCells FixedParts::still_cells() const {
-  return motion_.stands ? StillCells{kColumns, kRows, still_} : StillCells{};
+  return motion_.stands ? StillCells{kViewColumns, kViewRows, still_} : StillCells{};
 }
 
 // Edges along the motion stay where they are, too: the share depends on direction and place.

@@ -10,10 +10,13 @@
 
 #include "edgevo/core/random.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "support/masked_builder.h"
 #include "support/test_images.h"
 
 namespace edgevo {
 namespace {
+
+using test::MaskedBuilder;
 
 constexpr int kWidth = 320, kHeight = 240;
 constexpr double kRadius = 110;
@@ -112,7 +115,8 @@ TEST(BorderMask, SuppressesEdges) {
   const EdgeParams params;
   EXPECT_GT(edges_of_outline(*PyramidBuilder(camera, params).build(through_lens(0, 30))), 400)
       << "gray belongs to the scene";
-  PyramidBuilder builder(camera, params), rebuilder(camera, params);
+  MaskedBuilder builder(camera, params);
+  PyramidBuilder rebuilder(camera, params);
   for (int k = 1; k < kImages; ++k) builder.build(through_lens(k, 0));
   const auto pyramid = builder.build(through_lens(kImages, 0));
   EXPECT_EQ(edges_of_outline(*pyramid), 0);
@@ -134,8 +138,8 @@ TEST(BorderMask, MovesWithTheRowsOfARollingShutter) {
   ImageMotion motion;
   motion.velocity << 5, 0, 0, 0, 0, 0;  // 19 pixels at the first row and the last
   motion.idepth.setConstant(1);
-  PyramidBuilder builder(lens_camera(), EdgeParams());
-  builder.set_correction({0, kReadoutS});
+  MaskedBuilder builder(lens_camera(), EdgeParams());
+  builder.builder.set_correction({0, kReadoutS});
   for (int k = 0; k < kImages; ++k) builder.build(through_lens(k, 0), motion);
   const auto pyramid = builder.build(through_lens(kImages, 0), motion);
   ASSERT_TRUE(pyramid->border_mask);

@@ -11,14 +11,16 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
-#include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/edges/opencv_view.h"
 #include "own_mask.h"
+#include "support/masked_builder.h"
 #include "support/temp_folder.h"
 #include "support/test_images.h"
 
 namespace edgevo {
 namespace {
+
+using test::MaskedBuilder;
 
 constexpr int kPartWidth = 480, kPartHeight = 320;
 
@@ -53,7 +55,7 @@ std::optional<double> gripper(double x, double y) {
 }
 
 // The pyramid of the last of the images.
-std::shared_ptr<const FramePyramid> show(PyramidBuilder* builder, int images, double x_step, double y_step,
+std::shared_ptr<const FramePyramid> show(MaskedBuilder* builder, int images, double x_step, double y_step,
                                          const Body& body, int first = 0) {
   std::shared_ptr<const FramePyramid> pyramid;
   for (int i = first; i < first + images; ++i)
@@ -82,7 +84,7 @@ Covered covered(const GrayImage& image, const FramePyramid& masked) {
 }
 
 TEST(FixedParts, ThePartIsMaskedAndTheSceneIsNot) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   const auto pyramid = show(&builder, 70, 3, 1.3, gripper);
   ASSERT_TRUE(pyramid->own_mask);
   const Covered share = covered(pyramid->source, *pyramid);
@@ -102,7 +104,7 @@ GrayImage faint_view(int i, bool is_scene_faint) {
 }
 
 TEST(FixedParts, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   for (int i = 0; i < 30; ++i) builder.build(faint_view(i, true));
   std::shared_ptr<const FramePyramid> pyramid;
   for (int i = 30; i < 70; ++i) pyramid = builder.build(faint_view(i, false));
@@ -113,7 +115,7 @@ TEST(FixedParts, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
 }
 
 TEST(FixedParts, AUniformPartIsMaskedByItsOutline) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   std::shared_ptr<const FramePyramid> pyramid;
   for (int i = 0; i < 60; ++i) {
     const auto plain = [&](double x, double y) -> std::optional<double> {
@@ -134,7 +136,7 @@ TEST(FixedParts, ASceneWithoutEdgesNextToAPartIsNotMasked) {
     if (y > 190) return 120;
     return std::nullopt;
   };
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   const auto pyramid = show(&builder, 40, 3, 1.3, on_a_table);
   ASSERT_TRUE(pyramid->own_mask);
   EXPECT_TRUE(pyramid->is_own(250, 260));
@@ -147,32 +149,45 @@ TEST(FixedParts, WhatStandsInTheMiddleOfTheViewIsFarAhead) {
     if (x < 170 || x > 330 || y < 100 || y > 210) return std::nullopt;
     return random_blocks(x, y, 2);
   };
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   EXPECT_FALSE(show(&builder, 40, 3, 1.3, far)->own_mask);
 }
 
 TEST(FixedParts, ThePartMayBeInViewUntilTheMaskHolds) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   auto before = show(&builder, 1, 3, 1.3, gripper);
   int changes = 0;
   for (int i = 1; i < 40; ++i) {
+    const bool was_possible = builder.masks.may_show_own_part();
     const auto now = show(&builder, 1, 3, 1.3, gripper, i);
     if (now->own_mask != before->own_mask) {
       ++changes;
-      EXPECT_TRUE(before->may_show_own_part) << i;
+      EXPECT_TRUE(was_possible) << i;
     }
     before = now;
   }
   EXPECT_GT(changes, 0);
 }
 
-TEST(FixedParts, ASceneWithoutAPartHasNoMask) {
+// The builder keeps no memory.
+TEST(PyramidBuilder, TheSameImageHasTheSameEdgesWhateverCameBefore) {
+  const GrayImage image = part_view(0, 0, gripper, 1);
   PyramidBuilder builder(part_camera(), EdgeParams());
+  const auto first = builder.build(image);
+  for (int i = 1; i < 30; ++i) builder.build(part_view(3 * i, 1.3 * i, gripper, uint64_t(i + 1)));
+  const auto again = builder.build(image);
+  ASSERT_EQ(first->finest().edges.pixels.size(), again->finest().edges.pixels.size());
+  for (size_t i = 0; i < first->finest().edges.pixels.size(); ++i)
+    EXPECT_EQ(first->finest().edges.pixels[i].position(), again->finest().edges.pixels[i].position());
+}
+
+TEST(FixedParts, ASceneWithoutAPartHasNoMask) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
   EXPECT_FALSE(show(&builder, 60, 2, 0.7, no_body)->own_mask);
 }
 
 TEST(FixedParts, ACameraThatStandsMakesNoMaskWhateverCrosses) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   for (int i = 0; i < 60; ++i) {
     const double left = -250 + 12 * i;
     const auto bus = [&](double x, double y) -> std::optional<double> {
@@ -184,18 +199,19 @@ TEST(FixedParts, ACameraThatStandsMakesNoMaskWhateverCrosses) {
 }
 
 TEST(StillCells, AreThoseThatABusDoesNotCover) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   show(&builder, 4, 3, 1.3, no_body);
   const auto bus = [](double x, double y) -> std::optional<double> {
     if (x > 250 || y < 60 || y > 260) return std::nullopt;
     return random_blocks(x - 6, y, 3);
   };
-  const auto before = builder.build(part_view(12, 5.2, no_body, 5));
-  EXPECT_TRUE(before->still.empty()) << "the view moves";
-  const auto pyramid = builder.build(part_view(12, 5.2, bus, 6));
-  EXPECT_FALSE(pyramid->still.contain(0.25, 0.5)) << "the bus";
-  EXPECT_TRUE(pyramid->still.contain(0.8, 0.5));
-  EXPECT_TRUE(pyramid->still.contain(0.999, 0.999));
+  builder.build(part_view(12, 5.2, no_body, 5));
+  EXPECT_TRUE(builder.masks.still_cells().empty()) << "the view moves";
+  builder.build(part_view(12, 5.2, bus, 6));
+  const StillCells still = builder.masks.still_cells();
+  EXPECT_FALSE(still.contain(0.25, 0.5)) << "the bus";
+  EXPECT_TRUE(still.contain(0.8, 0.5));
+  EXPECT_TRUE(still.contain(0.999, 0.999));
 }
 
 TEST(FixedParts, EdgesThatSlideAlongThemselvesAreNoPart) {
@@ -203,12 +219,12 @@ TEST(FixedParts, EdgesThatSlideAlongThemselvesAreNoPart) {
     if (!on_part(x, y)) return std::nullopt;
     return int(std::floor(y / 11)) % 2 == 0 ? 50 : 200;
   };
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   EXPECT_FALSE(show(&builder, 40, 3, 0, lines)->own_mask);
 }
 
 TEST(FixedParts, AMaskIsTakenBackWhenWhatItCoversMoves) {
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->own_mask);
   EXPECT_FALSE(show(&builder, 70, 3, 1.3, no_body, 30)->own_mask);
 }
@@ -220,7 +236,7 @@ TEST(FixedParts, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
       return is_lit || x < 180 ? random_blocks(x, y, 2) : 100;
     };
   };
-  PyramidBuilder builder(part_camera(), EdgeParams());
+  MaskedBuilder builder(part_camera(), EdgeParams());
   ASSERT_TRUE(show(&builder, 30, 3, 1.3, part(true))->is_own(380, 270));
   EXPECT_TRUE(show(&builder, 25, 3, 1.3, part(false), 30)->is_own(380, 270)) << "its instruments are dark";
 }
@@ -233,7 +249,7 @@ TEST(FixedParts, AGivenMaskHoldsFromTheFirstImage) {
   cv::imwrite(path, mask);
   EdgeParams params;
   params.mask = path;
-  const auto pyramid = PyramidBuilder(part_camera(), params).build(part_view(0, 0, gripper, 1));
+  const auto pyramid = MaskedBuilder(part_camera(), params).build(part_view(0, 0, gripper, 1));
   for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(on_part(e.x, e.y));
   EXPECT_NEAR(pyramid->own_share(), 161.0 * (kPartHeight - 210) / (kPartWidth * kPartHeight), 1e-9);
 }

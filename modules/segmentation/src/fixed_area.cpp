@@ -13,20 +13,20 @@ namespace {
 
 // Scene edges around and behind a part are found between its edges, too.
 constexpr double kMinFixedShare = 0.5;
-constexpr int kReachPx = 6;      // edges of a piece are that near to each other
-constexpr int kPartsApart = 12;  // pieces of a part are this share of the width from each other
-constexpr int kMarginPx = 2;     // around the edges: what the gradient there is made of
-constexpr int kGapPx = 12;       // half width of gaps that are closed, gap in a line that goes on
+constexpr int kReachPx = 6;       // edges of a piece are that near to each other
+constexpr int kPartsApart = 12;   // pieces of a part are this share of the width from each other
+constexpr int kPartMarginPx = 2;  // around the edges: what the gradient there is made of
+constexpr int kGapPx = 12;        // half width of gaps that are closed, gap in a line that goes on
 constexpr double kMinFixedInGaps = 0.7;
 constexpr float kSameLine = 0.97f;  // cosine between normals
 // Blocks of the view in which edges that leave their place are counted, and over how many images.
 constexpr int kBlockPx = 8;
 constexpr float kMemory = 0.96f;
 constexpr double kMinLeaving = 4, kCalm = 0.15;
-constexpr int kMinInPiece = 6;      // candidates
-constexpr double kMinArea = 0.01;   // share of the image; less is harmless
-constexpr int kMinFixed = 40;       // candidates
-constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals
+constexpr int kMinInPiece = 6;         // candidates
+constexpr double kMinPartArea = 0.01;  // share of the image; less is harmless
+constexpr int kMinFixed = 40;          // candidates
+constexpr double kMinAcross = 0.1;     // smaller eigenvalue of the mean of n n^T, n: normals
 
 // Candidates that lie together.
 struct Piece {
@@ -149,7 +149,7 @@ Plane<uint8_t> FixedArea::grow(double least_score) const {
     for (int x = 0; x < width_; ++x) ++pieces[size_t(piece_at.at<int>(y, x))].area;
   for (size_t i = 1; i < pieces.size(); ++i)
     if (pieces[i].holds_together()) sums[size_t(pieces[i].part)].add(pieces[i]);
-  const int least_area = int(kMinArea * width_ * height_);
+  const int least_area = int(kMinPartArea * width_ * height_);
   for (int y = 0; y < height_; ++y)
     for (int x = 0; x < width_; ++x) {
       const Piece& piece = pieces[size_t(piece_at.at<int>(y, x))];
@@ -157,7 +157,7 @@ Plane<uint8_t> FixedArea::grow(double least_score) const {
           piece.number > 0 && piece.holds_together() && sums[size_t(piece.part)].is_part(least_area);
       if (!kept) parts.at(x, y) = 0;
     }
-  cv::erode(as_mat(parts), as_mat(parts), square(kReachPx - kMarginPx));
+  cv::erode(as_mat(parts), as_mat(parts), square(kReachPx - kPartMarginPx));
   parts = with_continuations(std::move(fixed), parts);
   Plane<uint8_t> area = filled(parts, near);
   if (cv::countNonZero(as_mat(area)) > 0) add_calm(hulls(parts, part_at), &area);
@@ -191,7 +191,7 @@ Plane<uint8_t> FixedArea::with_continuations(Candidates fixed, const Plane<uint8
     for (int along = -kGapPx; along <= kGapPx; ++along)
       for (int across = -1; across <= 1; ++across) follow(from, along, across);
   }
-  Plane<uint8_t> all = grown_by(added, kMarginPx);
+  Plane<uint8_t> all = grown_by(added, kPartMarginPx);
   cv::bitwise_or(as_mat(all), as_mat(parts), as_mat(all));
   return all;
 }

@@ -13,10 +13,10 @@
 #include <memory>
 #include <vector>
 
-#include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/edges/gradient.h"
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
+#include "edgevo/segmentation/still_cells.h"
 #include "fixed_area.h"
 
 namespace edgevo {

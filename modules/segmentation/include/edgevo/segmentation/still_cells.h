@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace edgevo {
+
+/// The part of a view that stands still while the camera seems to stand: cells over the image, known from the
+/// edges alone. Their edges have kept their place, within half a pixel of the coarsest level with edges,
+/// since before the camera seemed to stand.
+struct StillCells {
+  /// Number of cells across and down; 0: the view moves.
+  int columns = 0, rows = 0;
+  /// By row: 1 for a cell that stands still.
+  std::vector<uint8_t> is_still = {};
+
+  /// Whether there are none.
+  bool empty() const { return is_still.empty(); }
+  /// Whether a place lies in one of them; shares of width and height, 0 to below 1.
+  bool contain(double across, double down) const {
+    return !empty() && is_still[size_t(int(down * rows) * columns + int(across * columns))] != 0;
+  }
+};
+
+}  // namespace edgevo
