@@ -25,6 +25,14 @@ TrackingParams tracking_params(const OdometryParams& p) {
           p.camera.knows_rolling()};
 }
 
+MapperParams mapper_params(const OdometryParams& p) {
+  return {p.mapping, p.association, p.camera, p.edge_map, p.alignment.photometric};
+}
+
+MapLinkOptions map_options(const OdometryOptions& o) {
+  return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget};
+}
+
 }  // namespace
 
 // ---- one frame ----
@@ -40,13 +48,14 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       adjustments(log),
       units(working, o.realtime),
       front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule}),
-      map(rectification, p, o, log),
-      bootstrapper(rectification, p, o.seed, &map, &frames) {
+      map(rectification, p.edges, mapper_params(p), map_options(o), log),
+      bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames) {
   front_end.set_correction(map.initial_camera().correction);
   if (p.health.corners) corners.emplace(), focal.emplace(front_end.rectification());
   if (o.forget) frames.forget();
   if (o.realtime && o.on_schedule)
-    concurrent = std::make_unique<ConcurrentBootstrap>(rectification, p, o.seed, &map);
+    concurrent = std::make_unique<ConcurrentBootstrap>(rectification, tracking_params(p), p.mapping.bootstrap,
+                                                       o.seed, &map);
 }
 
 FrameRecord Odometry::Impl::process(const Frame& frame) {

@@ -5,23 +5,23 @@
 #include <optional>
 #include <string>
 
-#include "bootstrapper.h"
-#include "concurrent_bootstrap.h"
-#include "early_frames.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/confidence/health_watch.h"
 #include "edgevo/confidence/trust.h"
 #include "edgevo/core/frame_checks.h"
 #include "edgevo/features/corner_witness.h"
+#include "edgevo/map/frame_log.h"
+#include "edgevo/mapping/map_link.h"
+#include "edgevo/mapping/unit_comparisons.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/segmentation/own_parts.h"
 #include "edgevo/self_calibration/focal_by_corners.h"
+#include "edgevo/tracking/bootstrapper.h"
+#include "edgevo/tracking/concurrent_bootstrap.h"
+#include "edgevo/tracking/early_frames.h"
 #include "edgevo/tracking/front_end.h"
-#include "frame_log.h"
 #include "frame_order.h"
-#include "map_link.h"
 #include "state_machine.h"
-#include "unit_comparisons.h"
 
 namespace edgevo {
 

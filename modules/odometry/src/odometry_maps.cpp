@@ -50,7 +50,8 @@ std::string Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapRes
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
     begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.newest_before(), scale));
-  if (problem.empty()) early.place(views, *front_end.reference(), state.segment(), params, &frames);
+  if (problem.empty())
+    early.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
   if (problem.empty()) health.begin_map();
   return problem;
 }

@@ -17,7 +17,7 @@ using test::Sweep;
 using test::sweep_pose;
 using test::SweepDriver;
 
-MappingParams seven_keyframes() {
+MappingParams mapping_of_seven_keyframes() {
   MappingParams p;
   p.window.keyframes = 7;
   return p;
@@ -32,7 +32,7 @@ double step_scale(const SweepDriver& driver, const Keyframe& a, const Keyframe& 
 }
 
 TEST(Mapper, BuildsAMapFromABootstrap) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto reference = driver.mapper.reference();
   ASSERT_TRUE(reference);
@@ -51,14 +51,14 @@ TEST(Mapper, ReportsWhyTwoViewsMakeNoMap) {
   BootstrapResult bootstrap = test::true_bootstrap(0, 8);
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
-  Mapper mapper(Sweep::pinhole(), test::window_only(seven_keyframes()), {});
+  Mapper mapper(Sweep::pinhole(), test::window_only(mapping_of_seven_keyframes()), {});
   EXPECT_NE(mapper.initialise(bootstrap), "");
   EXPECT_EQ(mapper.next_id(), 0);
   EXPECT_EQ(mapper.initialise(test::true_bootstrap(0, 8)), "");  // the failure did no harm
 }
 
 TEST(Mapper, FifteenKeyframesKeepTheScale) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   int last_id = driver.mapper.next_id() - 1;
   constexpr int kKeyframes = 15, kFramesApart = 4;
@@ -97,7 +97,7 @@ TEST(Mapper, FifteenKeyframesKeepTheScale) {
 // The fewer points the window lacks, the fewer candidates it makes.
 TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
   const auto candidates = [](int max_points) {
-    MappingParams params = seven_keyframes();
+    MappingParams params = mapping_of_seven_keyframes();
     params.window.max_points = max_points;
     params.depth_filter.cell_px = 4;
     SweepDriver driver(params);
@@ -117,7 +117,7 @@ TEST(Mapper, MakesAsManyCandidatesAsItNeeds) {
 // No point can be matched in as many keyframes as required, and none is passed on: tentative points keep the
 // map alive.
 MappingParams params_of_a_sparse_map() {
-  MappingParams params = seven_keyframes();
+  MappingParams params = mapping_of_seven_keyframes();
   params.window.min_matches = 10;
   params.window.pass_on_points = false;
   return params;
@@ -152,7 +152,7 @@ TEST(Mapper, WithoutTentativePointsASparseMapGetsNone) {
 }
 
 TEST(Mapper, APublishedReferenceDoesNotChange) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   const auto before = driver.mapper.reference();
   const int id = before->keyframe_id;
@@ -168,7 +168,7 @@ TEST(Mapper, APublishedReferenceDoesNotChange) {
 }
 
 TEST(Mapper, SkipsAFrameWhoseReferenceIsGone) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame late = driver.align(10, true);
@@ -179,7 +179,7 @@ TEST(Mapper, SkipsAFrameWhoseReferenceIsGone) {
 }
 
 TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.note_keyframes();
   TrackedFrame frame = driver.align(12, true);
@@ -192,7 +192,7 @@ TEST(Mapper, AKeyframeKeepsTheCornersOfItsFrame) {
 }
 
 TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const DepthFilterParams params;
@@ -206,7 +206,7 @@ TEST(Mapper, SeedsOnlyWhereTheMapHasNoPoint) {
 }
 
 TEST(Mapper, ClosingMarginalisesAllKeyframes) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   driver.process(12, true);
   const size_t in_window = driver.mapper.window().keyframes().size();
@@ -222,7 +222,7 @@ TEST(Mapper, ClosingMarginalisesAllKeyframes) {
 }
 
 TEST(Mapper, TheUnitOfTheBootstrapIsKept) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(0, 8, 3.0), "");
   for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
   const auto& window = driver.mapper.window().keyframes();
@@ -231,7 +231,7 @@ TEST(Mapper, TheUnitOfTheBootstrapIsKept) {
 
 TEST(Mapper, TheSameSeedGivesTheSameMap) {
   const auto run = [](uint64_t seed) {
-    SweepDriver driver(seven_keyframes(), seed);
+    SweepDriver driver(mapping_of_seven_keyframes(), seed);
     EXPECT_EQ(driver.start(), "");
     for (int f = 9; f <= 16; ++f) driver.process(f, f % 4 == 0);
     std::vector<double> values;
@@ -262,7 +262,7 @@ std::vector<bool> doubtful_ones(SweepDriver* driver) {
 }
 
 TEST(Mapper, KeyframesMadeInDoubtLeaveAsDoubtful) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   for (int k = 1; k <= 15; ++k) driver.mapper.process(next_keyframe(&driver, k, k == 6 || k == 7));
   driver.note_keyframes();
@@ -276,7 +276,7 @@ TEST(Mapper, KeyframesMadeInDoubtLeaveAsDoubtful) {
 }
 
 TEST(Mapper, ConfirmedKeyframesAreNoLongerDoubtful) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   for (int k = 1; k <= 10; ++k) {
     TrackedFrame frame = next_keyframe(&driver, k, k == 4);
@@ -288,7 +288,7 @@ TEST(Mapper, ConfirmedKeyframesAreNoLongerDoubtful) {
 }
 
 TEST(Mapper, AUnitThatHasMovedIsSetBack) {
-  SweepDriver driver(seven_keyframes());
+  SweepDriver driver(mapping_of_seven_keyframes());
   ASSERT_EQ(driver.start(), "");
   for (int k = 1; k <= 5; ++k) driver.mapper.process(next_keyframe(&driver, k, false));
   const std::shared_ptr<const Reference> before = driver.mapper.reference();

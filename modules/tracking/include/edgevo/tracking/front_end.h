@@ -95,6 +95,8 @@ class FrontEnd {
   /// Drops the reference: there is no map any more.
   void drop_map() { reference_.reset(); }
 
+  /// Parameters of tracking.
+  const TrackingParams& params() const { return params_; }
   /// What builds the images.
   PyramidBuilder& builder() { return builder_; }
   /// Cameras of the raw and of the working images.

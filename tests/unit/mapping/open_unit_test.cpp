@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "open_unit.h"
+#include "edgevo/mapping/open_unit.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "edgevo/alignment/reference.h"
+#include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/odometry_params.h"
 #include "edgevo/tracking/front_end.h"
-#include "frame_log.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
 
@@ -25,7 +25,7 @@ class EarlyFrames {
   /// the first that the map does not explain, and forgets all. Nothing happens if no mask has changed
   /// meanwhile. Cost: one alignment a frame.
   void place(const BootstrapResult& views, const Reference& reference, int segment,
-             const OdometryParams& params, FrameLog* frames);
+             const TrackingParams& params, FrameLog* frames);
   /// Forgets the frames.
   void clear();
 

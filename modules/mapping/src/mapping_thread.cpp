@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mapping_thread.h"
+#include "edgevo/mapping/mapping_thread.h"
 
 #include <utility>
 

@@ -12,27 +12,42 @@
 #include <vector>
 
 #include "edgevo/alignment/reference.h"
-#include "edgevo/features/view_link.h"
+#include "edgevo/core/timestamp.h"
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/run_builder.h"
-#include "edgevo/mapping/bootstrap.h"
 
 namespace edgevo {
 
 /// Number of poses that the velocity before a join is averaged over: one bad step matters less.
 constexpr size_t kJoinPoses = 6;
 
+/// The way of the camera while a map was made.
+struct MapBeginning {
+  /// Times of the first and the last view that made it.
+  Timestamp first, last;
+  /// Motion from the first view to the last, in the unit of the map.
+  SE3 T_last_first;
+};
+
+/// What both a keyframe a of one map and a keyframe b of another show.
+struct SegmentLink {
+  /// Motion from a to b, length in the unit of the map of a.
+  SE3 T_b_a;
+  /// A length in the map of a over the same length in that of b, and the standard deviation of its logarithm.
+  double scale = 1, sigma = 0;
+};
+
 /// Joins segment `segment` to the one before. `previous`: poses of the segment before, oldest first; with
 /// fewer than two there is no velocity. `sure`: the last poses that were sure, in that order, or fewer than
 /// two: their speed counts, and the direction of `previous`. `scale` is world over map, where it is known
 /// better than from equal speed.
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
-                           const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
+                           const std::vector<TimedPose>& sure, const MapBeginning& beginning,
                            std::optional<double> scale);
 
 /// Joins segment `segment`, whose newest keyframe is `after`, to the map that `before` is of, by what both
 /// keyframes see. `T_world_before`: from the map of `before` to the world.
 SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,
-                           const Reference& after, const ViewLink& link);
+                           const Reference& after, const SegmentLink& link);
 
 }  // namespace edgevo

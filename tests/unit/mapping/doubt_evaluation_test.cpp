@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "doubt_evaluation.h"
+#include "edgevo/mapping/doubt_evaluation.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/odometry_params.h"
-#include "frame_log.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
 
@@ -25,12 +25,12 @@ SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, con
 using BootstrapTracks = std::vector<std::optional<TrackResult>>;
 /// Tracks the views against the finished map. Cost: one alignment per view.
 BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference,
-                                       const OdometryParams& params);
+                                       const TrackingParams& params);
 
 /// Gives the frames of the bootstrap their poses: those of `tracks`. Frames whose image is gone, or that the
 /// map does not explain, keep the pose of PnP; the latter are DEGRADED.
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTracks& tracks,
-                            const Reference& reference, int segment, const OdometryParams& params,
+                            const Reference& reference, int segment, const TrackingParams& params,
                             FrameLog* frames);
 
 }  // namespace edgevo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "concurrent_bootstrap.h"
+#include "edgevo/tracking/concurrent_bootstrap.h"
 
 #include <chrono>
 #include <utility>
@@ -15,12 +15,12 @@ constexpr size_t kMaxQueued = 12;
 constexpr int kMaxFollowed = 3;
 }  // namespace
 
-ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params,
-                                         uint64_t seed, MapLink* map)
+ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, const TrackingParams& params,
+                                         const BootstrapParams& bootstrap, uint64_t seed, MapLink* map)
     : pinhole_(rectification.target()),
       params_(params),
       map_(map),
-      bootstrap_(rectification, params.mapping.bootstrap, seed),
+      bootstrap_(rectification, bootstrap, seed),
       worker_({"bootstrap", kMaxQueued, true, false, true}) {}
 
 void ConcurrentBootstrap::reset() {

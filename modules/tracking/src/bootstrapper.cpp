@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bootstrapper.h"
+#include "edgevo/tracking/bootstrapper.h"
 
 #include "edgevo/core/trace.h"
-#include "segment_join.h"
+#include "edgevo/map/segment_join.h"
 
 namespace edgevo {
 
-Bootstrapper::Bootstrapper(const Rectification& rectification, const OdometryParams& params, uint64_t seed,
-                           MapLink* map, FrameLog* frames)
+Bootstrapper::Bootstrapper(const Rectification& rectification, const TrackingParams& params,
+                           const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames)
     : pinhole_(rectification.target()),
-      bootstrap_(rectification, params.mapping.bootstrap, seed),
+      bootstrap_(rectification, bootstrap, seed),
       params_(params),
       map_(map),
       frames_(frames) {}
@@ -29,12 +29,13 @@ SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
                                   std::optional<double> scale) const {
   if (before && link)
     return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
-                        *map_->reference(), *link);
+                        *map_->reference(), {link->T_b_a, link->scale, link->sigma});
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
       frames_->run().last_sure_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
-  return join_segment(segment, previous, sure, views, scale);
+  const BootstrapView &first = views.views.front(), &last = views.views.back();
+  return join_segment(segment, previous, sure, {first.time, last.time, last.T_cam_first}, scale);
 }
 
 NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,

@@ -7,10 +7,10 @@
 #include <optional>
 #include <vector>
 
-#include "doubt_evaluation.h"
 #include "edgevo/core/bounded_queue.h"
 #include "edgevo/core/worker.h"
-#include "open_unit.h"
+#include "edgevo/mapping/doubt_evaluation.h"
+#include "edgevo/mapping/open_unit.h"
 
 namespace edgevo {
 

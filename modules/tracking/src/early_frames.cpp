@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "early_frames.h"
+#include "edgevo/tracking/early_frames.h"
 
 #include <utility>
 
-#include "bootstrap_placement.h"
 #include "edgevo/alignment/tracker.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/trace.h"
+#include "edgevo/tracking/bootstrap_placement.h"
 
 namespace edgevo {
 namespace {
@@ -24,7 +24,7 @@ void EarlyFrames::add(const ArrivedFrame& now) {
 }
 
 void EarlyFrames::place(const BootstrapResult& views, const Reference& reference, int segment,
-                        const OdometryParams& params, FrameLog* frames) {
+                        const TrackingParams& params, FrameLog* frames) {
   std::deque<Early> early = std::exchange(frames_, {});
   if (!std::exchange(is_needed_, false) || views.views.size() < 2) return;
   const TraceScope traced("poses of earlier frames");

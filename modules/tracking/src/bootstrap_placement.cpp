@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "bootstrap_placement.h"
+#include "edgevo/tracking/bootstrap_placement.h"
 
 #include <utility>
 
@@ -31,7 +31,7 @@ SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, con
 }
 
 BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const Reference& reference,
-                                       const OdometryParams& params) {
+                                       const TrackingParams& params) {
   const SupportScorer scorer(params.status);
   BootstrapTracks tracks;
   for (const BootstrapView& view : bootstrap.views) {
@@ -44,7 +44,7 @@ BootstrapTracks track_bootstrap_frames(const BootstrapResult& bootstrap, const R
 }
 
 void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTracks& tracks,
-                            const Reference& reference, int segment, const OdometryParams& params,
+                            const Reference& reference, int segment, const TrackingParams& params,
                             FrameLog* frames) {
   for (size_t i = 0; i < bootstrap.views.size(); ++i) {
     const BootstrapView& view = bootstrap.views[i];

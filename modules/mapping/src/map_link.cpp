@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "map_link.h"
+#include "edgevo/mapping/map_link.h"
 
 #include <utility>
 
 #include "edgevo/core/trace.h"
 
 namespace edgevo {
-namespace {
-
-MapperParams mapper_params(const OdometryParams& p) {
-  return {p.mapping, p.association, p.camera, p.edge_map, p.alignment.photometric};
-}
-
-}  // namespace
-
-MapLink::MapLink(const Rectification& rectification, const OdometryParams& params,
-                 const OdometryOptions& options, std::shared_ptr<MapLog> log)
+MapLink::MapLink(const Rectification& rectification, const EdgeParams& edges, const MapperParams& params,
+                 const MapLinkOptions& options, std::shared_ptr<MapLog> log)
     : longest_wait_(options.on_schedule ? std::chrono::milliseconds(50) : std::chrono::hours(1)),
       log_(std::move(log)),
-      rebuilder_(PyramidBuilder::for_rebuilding(rectification, params.edges, options.detectors)),
-      mapper_(rectification, mapper_params(params),
+      rebuilder_(PyramidBuilder::for_rebuilding(rectification, edges, options.detectors)),
+      mapper_(rectification, params,
               {options.seed,
                // In realtime mapping must not pause for long.
                options.realtime,

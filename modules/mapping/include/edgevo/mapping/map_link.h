@@ -10,17 +10,32 @@
 
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/mapping/mapper.h"
-#include "edgevo/odometry/odometry.h"
-#include "mapping_thread.h"
+#include "edgevo/mapping/mapping_thread.h"
 
 namespace edgevo {
+
+/// How the two work together in a run.
+struct MapLinkOptions {
+  /// Seed of the run.
+  uint64_t seed = 1;
+  /// Mapping runs in threads of its own.
+  bool realtime = false;
+  /// Frames come on a schedule of their own: none waits long for mapping.
+  bool on_schedule = false;
+  /// Detectors that EdgeParams::detector may name.
+  EdgeDetectorTable detectors = basic_edge_detectors();
+  /// MapperOptions::move_map.
+  MoveMap move_map;
+  /// MapperOptions::forget.
+  bool forget = false;
+};
 
 /// Connects tracking to mapping; for the tracking thread.
 class MapLink {
  public:
   /// `log`, not null, receives the events of the map.
-  MapLink(const Rectification& rectification, const OdometryParams& params, const OdometryOptions& options,
-          std::shared_ptr<MapLog> log);
+  MapLink(const Rectification& rectification, const EdgeParams& edges, const MapperParams& params,
+          const MapLinkOptions& options, std::shared_ptr<MapLog> log);
 
   /// The newest reference; null without a map.
   std::shared_ptr<const Reference> reference() const { return thread_.reference(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_join.h"
+#include "edgevo/map/segment_join.h"
 
 namespace edgevo {
 namespace {
@@ -8,10 +8,9 @@ namespace {
 constexpr double kStill = 1e-9;
 
 // Speed during the bootstrap, in the unit of its map.
-double speed_of(const BootstrapResult& bootstrap) {
-  const BootstrapView& first = bootstrap.views.front();
-  const BootstrapView& last = bootstrap.views.back();
-  return last.T_cam_first.inverse().translation().norm() / seconds_between(first.time, last.time);
+double speed_of(const MapBeginning& beginning) {
+  return beginning.T_last_first.inverse().translation().norm() /
+         seconds_between(beginning.first, beginning.last);
 }
 
 // Mean velocity in the world, from the first pose to the last.
@@ -23,7 +22,7 @@ Eigen::Vector3d velocity_of(const std::vector<TimedPose>& poses) {
 }  // namespace
 
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
-                           const std::vector<TimedPose>& sure, const BootstrapResult& bootstrap,
+                           const std::vector<TimedPose>& sure, const MapBeginning& beginning,
                            std::optional<double> scale) {
   using Method = SegmentPlaced::Method;
   // Standard deviations of a logarithm. In two seconds a car brakes to half its speed.
@@ -35,9 +34,9 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   const Eigen::Vector3d here = newest.T_world_cam.translation();
   Eigen::Vector3d velocity = velocity_of(previous);
   if (sure.size() >= 2 && velocity.norm() > kStill) velocity *= velocity_of(sure).norm() / velocity.norm();
-  const double gap = seconds_between(newest.time, bootstrap.views.front().time);
+  const double gap = seconds_between(newest.time, beginning.first);
   join.T_world_map.rigid = SE3(newest.T_world_cam.rotation(), here + gap * velocity);
-  const double new_speed = speed_of(bootstrap);
+  const double new_speed = speed_of(beginning);
   if (scale) {
     join.method = Method::kDepthRatio;
     join.T_world_map.scale = *scale;
@@ -54,7 +53,7 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
 }
 
 SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,
-                           const Reference& after, const ViewLink& link) {
+                           const Reference& after, const SegmentLink& link) {
   SegmentPlaced join;
   join.segment = segment;
   join.method = SegmentPlaced::Method::kLinked;

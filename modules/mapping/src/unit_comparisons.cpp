@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "unit_comparisons.h"
+#include "edgevo/mapping/unit_comparisons.h"
 
 #include <chrono>
 #include <map>

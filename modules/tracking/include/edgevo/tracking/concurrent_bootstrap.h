@@ -9,13 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "bootstrapper.h"
 #include "edgevo/core/worker.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/odometry_params.h"
+#include "edgevo/mapping/map_link.h"
 #include "edgevo/segmentation/own_parts.h"
+#include "edgevo/tracking/bootstrapper.h"
 #include "edgevo/tracking/late_frames.h"
-#include "map_link.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
 
@@ -34,8 +34,8 @@ struct MadeMap {
 class ConcurrentBootstrap {
  public:
   /// `map` must outlive this object.
-  ConcurrentBootstrap(const Rectification& rectification, const OdometryParams& params, uint64_t seed,
-                      MapLink* map);
+  ConcurrentBootstrap(const Rectification& rectification, const TrackingParams& params,
+                      const BootstrapParams& bootstrap, uint64_t seed, MapLink* map);
   /// Forgets the views, also those under way. A map in the making goes on.
   void reset();
   /// Gives the next frame to the search. Returns why there is no map yet, as known now: a search that is
@@ -86,7 +86,7 @@ class ConcurrentBootstrap {
   MadeMap make_map(BootstrapResult views, const std::optional<SureView>& before);
 
   Pinhole pinhole_;
-  OdometryParams params_;
+  TrackingParams params_;
   MapLink* map_;
   // Frames after those that are known not to end in a map, oldest first.
   LateFrames late_;

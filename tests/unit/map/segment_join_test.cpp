@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "segment_join.h"
+#include "edgevo/map/segment_join.h"
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,9 @@ std::vector<TimedPose> moving(const Vector3d& step, int poses = int(kJoinPoses))
 }
 
 // Two views, the first at `begin` seconds and the last half a second after it, `length` further on.
-BootstrapResult bootstrap(double begin, double length) {
-  BootstrapResult result;
-  result.views.resize(2);
-  result.views.front().time = Timestamp::from_seconds(begin);
-  result.views.back().time = Timestamp::from_seconds(begin + 0.5);
-  result.views.back().T_cam_first = SE3(Eigen::Quaterniond::Identity(), Vector3d(0, 0, -length));
-  return result;
+MapBeginning bootstrap(double begin, double length) {
+  return {Timestamp::from_seconds(begin), Timestamp::from_seconds(begin + 0.5),
+          SE3(Eigen::Quaterniond::Identity(), Vector3d(0, 0, -length))};
 }
 
 TEST(SegmentJoin, TheFirstSegmentLiesAtTheOrigin) {
@@ -98,7 +94,7 @@ TEST(SegmentJoin, AViewOfBothMapsPlacesTheNewOne) {
   before.T_ref_world = SE3(kHeading, Vector3d(1, 2, 3));
   after.T_ref_world = SE3(Eigen::Quaterniond::Identity(), Vector3d(0, 0, -4));
   const Sim3 T_world_before{2, SE3(kHeading, Vector3d(-5, 0, 1))};
-  ViewLink link;
+  SegmentLink link;
   link.T_b_a = SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Vector3d::UnitX())), Vector3d(0.1, 0, -2));
   link.scale = 0.25, link.sigma = 0.03;
   const SegmentPlaced join = link_segment(4, before, T_world_before, after, link);

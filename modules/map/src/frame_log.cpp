@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "frame_log.h"
+#include "edgevo/map/frame_log.h"
 
 #include <utility>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "open_unit.h"
+#include "edgevo/mapping/open_unit.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "doubt_evaluation.h"
+#include "edgevo/mapping/doubt_evaluation.h"
 
 namespace edgevo {
 

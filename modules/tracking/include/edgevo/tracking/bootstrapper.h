@@ -6,14 +6,14 @@
 #include <optional>
 #include <string>
 
-#include "bootstrap_placement.h"
 #include "edgevo/confidence/health_watch.h"
 #include "edgevo/features/view_link.h"
+#include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
-#include "edgevo/odometry/odometry_params.h"
+#include "edgevo/mapping/map_link.h"
+#include "edgevo/tracking/bootstrap_placement.h"
 #include "edgevo/tracking/front_end.h"
-#include "frame_log.h"
-#include "map_link.h"
+#include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
 
@@ -46,8 +46,8 @@ struct SegmentBeginning {
 class Bootstrapper {
  public:
   /// `map` and `frames` must outlive this object.
-  Bootstrapper(const Rectification& rectification, const OdometryParams& params, uint64_t seed, MapLink* map,
-               FrameLog* frames);
+  Bootstrapper(const Rectification& rectification, const TrackingParams& params,
+               const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames);
 
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
@@ -71,7 +71,7 @@ class Bootstrapper {
 
   Pinhole pinhole_;
   Bootstrap bootstrap_;
-  OdometryParams params_;
+  TrackingParams params_;
   MapLink* map_;
   FrameLog* frames_;
 };
