@@ -2,7 +2,6 @@
 #include "edgevo/confidence/frame_status.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -21,24 +20,18 @@ constexpr double kAwayViewShare = 0.15;
 constexpr double kExplainedShare = 0.7;       // of the points in view are matched
 constexpr double kExplainedResidualPx = 1.0;  // rms along the normal
 
-std::string format(const char* pattern, double a, double b) {
-  char text[120];
-  std::snprintf(text, sizeof text, pattern, a, b);
-  return text;
-}
-
 // Why a frame whose pose has this support has no pose or a weak one; empty where it is good.
-std::string reason_of(PoseSupport support, const FrameEvidence& evidence, const StatusParams& params) {
+Reasons reasons_of(PoseSupport support, const FrameEvidence& evidence, const StatusParams& params) {
   switch (support) {
     case PoseSupport::kDiverged:
-      return "alignment diverged";
+      return {{ReasonKind::kDiverged}};
     case PoseSupport::kFewPoints:
-      return format("only %.0f map points in view, %.0f are needed", evidence.visible_points.value_or(0),
-                    params.min_visible);
+      return {{ReasonKind::kFewPointsInView, double(evidence.visible_points.value_or(0)),
+               double(params.min_visible)}};
     case PoseSupport::kUnsupported:
-      return format("inlier share %.2f is below %.2f", evidence.inlier_share, params.lost_share);
+      return {{ReasonKind::kInlierShare, evidence.inlier_share, params.lost_share}};
     case PoseSupport::kWeak:
-      return format("inlier share %.2f is below %.2f", evidence.inlier_share, params.degraded_share);
+      return {{ReasonKind::kInlierShare, evidence.inlier_share, params.degraded_share}};
     case PoseSupport::kGood:
       break;
   }
@@ -87,8 +80,8 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
   const PoseSupport support = classify(evidence, params);
   const int weak = weak_directions(evidence, params);
   if (support == PoseSupport::kGood && weak > 0)
-    return {TrackingState::kDegraded, std::to_string(weak) + " poorly observed direction(s)"};
-  return {state_of(support), reason_of(support, evidence, params)};
+    return {TrackingState::kDegraded, {{ReasonKind::kWeakDirections, double(weak)}}};
+  return {state_of(support), reasons_of(support, evidence, params)};
 }
 
 FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params) {
@@ -99,18 +92,17 @@ FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams para
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
   const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_giant_step;
   if (by_image.state == TrackingState::kLost || is_sure) return by_image;
-  return {TrackingState::kDegraded,
-          by_image.reason.empty() ? trust.reason : by_image.reason + "; " + trust.reason};
+  return {TrackingState::kDegraded, joined(by_image.reasons, trust.reasons)};
 }
 
-FrameStatus status_with_refusal(const FrameStatus& by_image, const std::string& reason) {
-  if (reason.empty() || by_image.state == TrackingState::kLost) return by_image;
-  return {TrackingState::kLost, reason};
+FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason) {
+  if (!reason || by_image.state == TrackingState::kLost) return by_image;
+  return {TrackingState::kLost, {*reason}};
 }
 
 FrameStatus status_after_step(const FrameStatus& status, double times) {
   if (!(times > kGiantTimes) || status.state != TrackingState::kTracking) return status;
-  return {TrackingState::kDegraded, giant_step_in_words(times)};
+  return {TrackingState::kDegraded, {{ReasonKind::kStep, times}}};
 }
 
 FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image) {
@@ -120,7 +112,14 @@ FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image
 
 void assign_status(FrameStatus status, FrameRecord* record) {
   record->state = status.state;
-  record->note = std::move(status.reason);
+  record->note = to_string(status.reasons);
+  record->reasons = std::move(status.reasons);
+}
+
+void assign_skipped(TrackingState state, std::string note, FrameRecord* record) {
+  record->state = state;
+  record->note = std::move(note);
+  record->reasons = {{ReasonKind::kSkipped}};
 }
 
 double covariance_factor(double p_right) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "doubts.h"
 #include "edgevo/core/doubtful_intervals.h"
@@ -18,13 +17,6 @@ constexpr double kAtMostInDoubt = 0.1;
 
 static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_intervals.h");
 static_assert(kAtMostInDoubt < kDoubtfulBelow, "such a frame is doubtful");
-
-template <class... Numbers>
-std::string format(const char* pattern, Numbers... numbers) {
-  char text[120];
-  std::snprintf(text, sizeof text, pattern, numbers...);
-  return text;
-}
 
 // A step over the usual one, or over what is a small one for a camera that has stood still.
 double times_likely(double step, double usual, double median_depth) {
@@ -69,55 +61,46 @@ Doubt largest_contribution(const Doubts& doubts) {
   return most->doubt;
 }
 
-std::string scale_in_words(const CornerEvidence& c) {
+Reason reason_by_scale(const CornerEvidence& c) {
   const bool sudden = !(std::abs(c.change_10) < std::abs(c.change_50));
   const double change = sudden ? c.change_10 : c.change_50;
-  const int frames = sudden ? 10 : 50;
-  return change > 0 ? format("scale fell by %.2f within %d frames", 1 - std::exp(-change), frames)
-                    : format("scale grew by a factor of %.2f within %d frames", std::exp(-change), frames);
+  return {ReasonKind::kScaleByCorners, std::exp(-change), sudden ? 10.0 : 50.0};
 }
 
-std::string motion_in_words(const CornerEvidence& c) {
-  if (doubt_of_corner_scale(c) >= 1) return scale_in_words(c);
-  if (c.rotation_deg > kMotionTolerance.rotation_deg)
-    return format("rotation over 10 frames differs from the corners' by %.1f degrees", c.rotation_deg);
-  return format("motion over 10 frames differs from the corners' by %.0f %%", 100 * c.motion_error);
+Reason reason_by_motion(const CornerEvidence& c) {
+  if (doubt_of_corner_scale(c) >= 1) return reason_by_scale(c);
+  if (c.rotation_deg > kMotionTolerance.rotation_deg) return {ReasonKind::kRotationByCorners, c.rotation_deg};
+  return {ReasonKind::kMotionByCorners, c.motion_error};
 }
 
-std::string in_words(Doubt doubt, const FrameEvidence& e) {
+Reason reason_of(Doubt doubt, const FrameEvidence& e) {
   const CornerEvidence c = e.corners.value_or(CornerEvidence());
   switch (doubt) {
     case Doubt::kMotion:
-      return motion_in_words(c);
+      return reason_by_motion(c);
     case Doubt::kFocalLength:
-      return format("a turn with a focal length that the corners put %.0f %% off", 100 * e.focal_error);
+      return {ReasonKind::kFocalLength, e.focal_error};
     case Doubt::kCornerAgreement:
-      return format("%.0f %% of the corners contradict the motion", 100 * (1 - c.agreeing_share));
+      return {ReasonKind::kCornersContradict, 1 - c.agreeing_share};
     case Doubt::kNoWitness:
-      return format("too few corners to check the motion (%d)", c.tracks);
+      return {ReasonKind::kFewCornersToCheck, double(c.tracks)};
     case Doubt::kTurn:
-      return "a translation that the turn hides";
+      return {ReasonKind::kTurn};
     case Doubt::kStep:
-      return "steps unlike those before";
+      return {ReasonKind::kSteps};
     case Doubt::kResidual:
-      return format("edges are %.1f px off where the map puts them", e.residual_px);
+      return {ReasonKind::kResidual, e.residual_px};
     case Doubt::kAdjustment:
-      return "keyframes were tracked worse than expected";
+      return {ReasonKind::kAdjustment};
     case Doubt::kStarvation:
-      return format("too few points to rely on (%d of known depth; inlier share %.2f)",
-                    e.known_points.value_or(0), e.inlier_share);
+      return {ReasonKind::kStarvation, double(e.known_points.value_or(0)), e.inlier_share};
     case Doubt::kImage:
-      return "blurred or saturated images";
+      break;
   }
-  return {};
+  return {ReasonKind::kImage};
 }
 
 }  // namespace
-
-std::string giant_step_in_words(double times) {
-  constexpr double kMaxShown = 9999;  // after a standstill of no step at all
-  return format("a step of %.0f times the usual one", std::min(times, kMaxShown));
-}
 
 double p_right_at(const TrustKnot* knots, size_t count, double sum) {
   if (sum <= knots[0].sum) return knots[0].p_right;
@@ -199,14 +182,14 @@ FrameTrust Trust::add(const TrustFrame& frame) {
   set(Doubt::kStarvation, starvation_.mean());
   set(Doubt::kImage, image_.mean());
   trust.p_right = edgevo::p_right(trust.doubts);
-  if (trust.p_right < kDoubtfulBelow) trust.reason = in_words(largest_contribution(trust.doubts), e);
+  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_of(largest_contribution(trust.doubts), e)};
   if (const double times = times_likely(step, steps_.median(), e.median_depth); times > kGiantTimes) {
     trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
-    trust.reason = giant_step_in_words(times);
+    trust.reasons = {{ReasonKind::kStep, times}};
   }
   const double times_usual = std::fmax(step / usual_step, frame.times_usual_live);
   trust.is_giant_step = times_usual > kGiantTimes;
-  if (trust.is_giant_step && trust.reason.empty()) trust.reason = giant_step_in_words(times_usual);
+  if (trust.is_giant_step && trust.reasons.empty()) trust.reasons = {{ReasonKind::kStep, times_usual}};
   return trust;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 namespace edgevo {
 namespace {
@@ -14,35 +13,32 @@ constexpr int kJoinedFrames = 10;  // right frames between two intervals that ar
 // poses in the new map.
 constexpr int kComparedWithin = 50;
 
-// The note without its numbers.
-std::string kind_of(const std::string& note) {
-  std::string kind;
-  for (const char c : note)
-    if (!(c >= '0' && c <= '9') && c != '.' && c != '-') kind += c;
-  return kind;
-}
-
-// Counts notes by their kind.
-class Reasons {
+// Counts notes by the kinds of their reasons.
+class ReasonCounts {
  public:
-  void add(const std::string& note) {
-    if (note.empty()) return;
-    Entry& entry = kinds_[kind_of(note)];
-    if (entry.frames++ == 0) entry.first = note;
+  void add(const FrameRecord& frame) {
+    if (frame.note.empty()) return;
+    const auto known = std::find_if(counts_.begin(), counts_.end(),
+                                    [&](const Count& c) { return are_alike(*c.reasons, frame.reasons); });
+    if (known == counts_.end())
+      counts_.push_back({&frame.reasons, &frame.note, 1});
+    else
+      ++known->frames;
   }
+  // The first note of the commonest kind; of several the kind that came first.
   std::string commonest() const {
-    const auto most = std::max_element(kinds_.begin(), kinds_.end(), [](const auto& a, const auto& b) {
-      return a.second.frames < b.second.frames;
-    });
-    return most == kinds_.end() ? "" : most->second.first;
+    const auto most = std::max_element(counts_.begin(), counts_.end(),
+                                       [](const Count& a, const Count& b) { return a.frames < b.frames; });
+    return most == counts_.end() ? "" : *most->first;
   }
 
  private:
-  struct Entry {
-    int frames = 0;
-    std::string first;
+  struct Count {
+    const Reasons* reasons;
+    const std::string* first;
+    int frames;
   };
-  std::map<std::string, Entry> kinds_;
+  std::vector<Count> counts_;
 };
 
 bool is_linked_by_view(const UnitComparison& unit) { return unit.is_linked() && !unit.by_ground; }
@@ -65,7 +61,7 @@ bool is_doubtful(const FrameRecord& frame) {
 
 std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
   std::vector<DoubtfulInterval> intervals;
-  Reasons reasons;
+  ReasonCounts reasons;
   int last = -1;  // position of the last frame of an interval
   const auto close = [&] {
     if (!intervals.empty()) intervals.back().reason = reasons.commonest();
@@ -94,7 +90,7 @@ std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
     if (!is_near || has_ended) begin_at(frame);
     intervals.back().last_frame = frame.index;
     ++intervals.back().frames;
-    reasons.add(frame.note);
+    reasons.add(frame);
     last = int(i);
   }
   close();
@@ -143,9 +139,9 @@ std::string to_string(const DoubtfulInterval& interval) {
 }
 
 std::string commonest_doubt(const Run& run) {
-  Reasons reasons;
+  ReasonCounts reasons;
   for (const FrameRecord& frame : run.frames)
-    if (is_doubtful(frame) || !frame.T_world_cam) reasons.add(frame.note);
+    if (is_doubtful(frame) || !frame.T_world_cam) reasons.add(frame);
   return reasons.commonest();
 }
 

@@ -42,6 +42,11 @@ std::string sentence(const char* pattern, double a, double b) {
   return text;
 }
 
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+BootstrapStatus no_views(ReasonKind kind, double value = kNoNumber, double other = kNoNumber) {
+  return {std::nullopt, {{kind, value, other}}};
+}
+
 // Triangulated corners of the two views.
 struct Triangulation {
   std::vector<BootstrapCorner> corners;
@@ -90,34 +95,32 @@ struct Bootstrap::Impl {
   }
 
   // Makes the newest view the first one.
-  BootstrapStatus start_again(const std::string& reason) {
+  BootstrapStatus start_again(const Reasons& reasons) {
     start(BootstrapView(views.back()), previous);
-    return {std::nullopt, reason + "; new first view"};
+    return {std::nullopt, joined(reasons, {{ReasonKind::kNewFirstView}})};
   }
 
   BootstrapStatus take_first(BootstrapView view, cv::Mat image) {
-    if (start(std::move(view), std::move(image))) return {std::nullopt, "first view taken"};
-    return {std::nullopt, sentence("only %.0f corners in the image, %.0f needed", double(first_corners),
-                                   kMinBootstrapCorners)};
+    if (start(std::move(view), std::move(image))) return no_views(ReasonKind::kFirstView);
+    return no_views(ReasonKind::kFewCorners, double(first_corners), kMinBootstrapCorners);
   }
 
   BootstrapStatus take_next(BootstrapView view, cv::Mat image, bool attempt) {
     follow(std::move(view), std::move(image));
-    if (const std::optional<std::string> reason = restart_reason()) return start_again(*reason);
-    if (!attempt) return {std::nullopt, "followed only: the bootstrap is behind"};
+    if (const std::optional<Reason> reason = restart_reason()) return start_again({*reason});
+    if (!attempt) return no_views(ReasonKind::kSearchBehind);
     BootstrapStatus status = try_two_views();
-    if (disagreeing >= kMaxDisagreeing) return start_again(status.reason);
+    if (disagreeing >= kMaxDisagreeing) return start_again(status.reasons);
     return status;
   }
 
   // Why the first view is no longer useful; nothing while it is.
-  std::optional<std::string> restart_reason() const {
+  std::optional<Reason> restart_reason() const {
     const int alive = int(corners_in_view.back().size());
     const bool too_few = alive < kMinBootstrapCorners;
     const bool too_long = int(views.size()) > params.max_frames;
-    if (too_few)
-      return sentence("only %.0f corners could be followed, %.0f needed", alive, kMinBootstrapCorners);
-    if (too_long) return "too little motion for too long";
+    if (too_few) return Reason{ReasonKind::kCornersLost, double(alive), double(kMinBootstrapCorners)};
+    if (too_long) return Reason{ReasonKind::kTooLong};
     return std::nullopt;
   }
 
@@ -173,21 +176,16 @@ struct Bootstrap::Impl {
     const double disparity =
         median_motion(params.count_lost_corners ? first_corners : first.size(), first, last);
     const double needed = params.min_disparity * pinhole.width;
-    if (disparity < needed)
-      return {std::nullopt, sentence("median motion %.1f px, %.1f px needed: move the camera sideways or on",
-                                     disparity, needed)};
+    if (disparity < needed) return no_views(ReasonKind::kLittleMotion, disparity, needed);
     straighten();
     const std::vector<TwoViewMotion> motions = possible_motions();
-    if (motions.empty()) return {std::nullopt, "no essential matrix fits the corners"};
+    if (motions.empty()) return no_views(ReasonKind::kNoMotionFits);
     const Choice choice = views.size() > 2 ? choose_by_views(motions) : choose_by_error(motions);
     const int agreeing = cv::countNonZero(choice.best.inliers);
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
-    if (too_few)
-      return {std::nullopt, sentence("only %.0f %% of the corners agree on one motion, %.0f %% needed",
-                                     100.0 * agreeing / double(first.size()), 100 * kMinInlierShare)};
-    if (choice.is_ambiguous)
-      return {std::nullopt, "two different motions fit the corners equally well: more parallax needed"};
+    if (too_few) return no_views(ReasonKind::kFewAgree, agreeing / double(first.size()), kMinInlierShare);
+    if (choice.is_ambiguous) return no_views(ReasonKind::kTwoMotionsFit);
     BootstrapStatus status = build_result(choice.best.T_last_first, choice.best.inliers);
     if (status.result)
       status.result->why = choice.why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);
@@ -293,15 +291,12 @@ struct Bootstrap::Impl {
   BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
     Triangulation triangulated = triangulate_inliers(T_last_first, inliers);
     if (int(triangulated.index.size()) < kMinBootstrapCorners / 2)
-      return {std::nullopt, sentence("only %.0f corners lie in front of both views, %.0f needed",
-                                     double(triangulated.index.size()), kMinBootstrapCorners / 2.0)};
+      return no_views(ReasonKind::kFewInFront, double(triangulated.index.size()), kMinBootstrapCorners / 2.0);
     BootstrapResult result;
     result.corners = std::move(triangulated.corners);
     result.parallax_deg = median(triangulated.parallax_deg);
     if (result.parallax_deg < params.min_parallax_deg)
-      return {std::nullopt, sentence("median parallax %.2f deg, %.2f deg needed: the motion is mostly "
-                                     "rotation, or the scene far away",
-                                     result.parallax_deg, params.min_parallax_deg)};
+      return no_views(ReasonKind::kLittleParallax, result.parallax_deg, params.min_parallax_deg);
     const double scale = kFirstMedianDepth / median(triangulated.depths);
     for (BootstrapCorner& c : result.corners) {
       c.idepth_first /= scale;
@@ -311,7 +306,7 @@ struct Bootstrap::Impl {
     views.back().placed = true;
     place_views_between(result, triangulated.index);
     result.views = views;
-    return {std::move(result), ""};
+    return {std::move(result), {}};
   }
 
   // Estimates the pose of each view in between by PnP from the triangulated corners.

@@ -39,10 +39,10 @@ void MapLink::rectify_rows(BootstrapResult* views) {
     if (v.pyramid && v.motion.is_known() && !v.is_straight) v.pyramid = rebuild(*v.pyramid, v.motion, now);
 }
 
-std::string MapLink::make_map(const BootstrapResult& views) {
+Reasons MapLink::make_map(const BootstrapResult& views) {
   thread_.wait_idle();
   close_segment();
-  const std::string problem = mapper_.initialise(views);
+  Reasons problem = mapper_.initialise(views);
   thread_.refresh();
   return problem;
 }

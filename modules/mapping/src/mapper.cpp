@@ -48,7 +48,7 @@ Mapper::~Mapper() = default;
 
 // ---- the first window ----
 
-std::string Mapper::initialise(const BootstrapResult& bootstrap) {
+Reasons Mapper::initialise(const BootstrapResult& bootstrap) {
   const TraceScope traced("first window");
   window_ = Window(map_.get(), rectification_, params_.window, association_);
   tracking_check_ = {};
@@ -62,7 +62,7 @@ std::string Mapper::initialise(const BootstrapResult& bootstrap) {
   const WindowStats stats = window_.adjust();
   if (stats.points < kMinFirstPoints) {
     map_->discard();
-    return "only " + std::to_string(stats.points) + " edge points matched in the first views";
+    return {{ReasonKind::kFewPointsMatched, double(stats.points)}};
   }
   next_id_ += int(window_.keyframes().size());
   seen_idepths_ = {1 / kFirstMedianDepth, 0};

@@ -100,7 +100,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   announce_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
   trust.interrupt();
-  assign_status({state.when_skipped(), why}, &record);
+  assign_skipped(state.when_skipped(), why, &record);
   frames.announce();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
   frames.run();
@@ -158,9 +158,9 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   FrameStatus status = track.is_held ? status_of_held_pose(now.record->evidence, params.status)
                                      : frame_status(now.record->evidence, params.status);
   status = status_with_refusal(status, front_end.reason_against_step(track.result.T_cur_ref));
-  act(now.frame, state.after(event_of(status.state), now.frame.index), status.reason);
+  act(now.frame, state.after(event_of(status.state), now.frame.index), to_string(status.reasons));
   if (!state.has_pose()) {
-    assign_status({TrackingState::kLost, status.reason}, now.record);
+    assign_status({TrackingState::kLost, status.reasons}, now.record);
     trust.interrupt();
     health.add_lost();
     return;

@@ -62,10 +62,10 @@ struct Odometry::Impl {
   // ---- making a map ----
   void forget_views();
   void bootstrap_map(const ArrivedFrame& now);
-  void refuse_pose(FrameRecord* record, const std::string& why) const;
+  void refuse_pose(FrameRecord* record, const Reasons& why) const;
   BootstrapStatus look_and_make(const ArrivedFrame& now);
-  // Begins a new segment. Returns an empty string, or why the two views make no map.
-  std::string make_map(const ArrivedFrame& now, const BootstrapResult& views);
+  // Begins a new segment. Returns nothing, or why the two views make no map.
+  Reasons make_map(const ArrivedFrame& now, const BootstrapResult& views);
   // Scale (world over map) of a map that replaces one that is still tracked: the median depth in view is
   // kept.
   std::optional<double> scale_by_depths() const;

@@ -21,12 +21,11 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   frame_announced = false;  // times and note change
   if (!concurrent) early.add(now);
   const BootstrapStatus status = concurrent ? look_concurrently(now) : look_and_make(now);
-  if (!record.T_world_cam_live) refuse_pose(&record, status.reason);
+  if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
 }
 
-void Odometry::Impl::refuse_pose(FrameRecord* record, const std::string& why) const {
-  assign_status({state.without_pose(record->index, record->evidence.edges),
-                 (record->note.empty() ? "" : record->note + "; ") + why},
+void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const {
+  assign_status({state.without_pose(record->index, record->evidence.edges), joined(record->reasons, why)},
                 record);
 }
 
@@ -35,17 +34,17 @@ BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
   if (status.result && own_parts.delays_map(now.may_show_own_part))
-    return {std::nullopt, OwnParts::kDelayReason};
+    return {std::nullopt, {{ReasonKind::kMayBeOwnPart}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
-  status.reason = make_map(now, *status.result);
+  status.reasons = make_map(now, *status.result);
   return status;
 }
 
-std::string Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult& views) {
+Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult& views) {
   const TraceScope traced("first map");
   const std::optional<double> scale = scale_by_depths();
-  const std::string problem = bootstrapper.make_map(views);
+  Reasons problem = bootstrapper.make_map(views);
   front_end.drop_map();
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
@@ -64,7 +63,7 @@ std::optional<double> Odometry::Impl::scale_by_depths() const {
 void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& begun) {
   front_end.begin_map(begun.reference, begun.motion);
   newest_pose.T_cam_map = begun.reference->T_ref_world;
-  now.record->note.clear();
+  assign_status({now.record->state, {}}, now.record);
   note_segment(now.frame, begun);
 }
 
@@ -82,7 +81,7 @@ const FrameRecord& Odometry::Impl::keep_for_map(const Frame& frame) {
   const ArrivedFrame now = find_edges(frame, false);
   ask_corners(now, std::nullopt);
   concurrent->keep(now);
-  refuse_pose(now.record, "a map is being made");
+  refuse_pose(now.record, {{ReasonKind::kMapInMaking}});
   return *now.record;
 }
 

@@ -156,6 +156,7 @@ void visit_frame(Visit& v, Frame& f) {
   visit_times(v, f.stage_ms);
   visit_pose(v, f.T_world_cam_live);
   visit_numbers(v, f.covariance);
+  v.list(f.reasons, [&](auto& r) { v.plain(r.kind), v.plain(r.value), v.plain(r.other); });
   v.text(f.note);
   v.maybe(f.latency_ms, [&](auto& ms) { v.plain(ms); });
 }

@@ -19,7 +19,7 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 void place_late(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
                 FrameLog* frames) {
   const double times = frames->times_usual_step(record.index, segment, T_cam_ref * reference.T_ref_world);
-  assign_status(status_after_step({record.state, record.note}, times), &record);
+  assign_status(status_after_step({record.state, record.reasons}, times), &record);
   frames->place(std::move(record), segment, reference, T_cam_ref);
 }
 

@@ -18,8 +18,8 @@ BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid, true, now.rows.expected);
 }
 
-std::string Bootstrapper::make_map(const BootstrapResult& views) {
-  const std::string problem = map_->make_map(views);
+Reasons Bootstrapper::make_map(const BootstrapResult& views) {
+  Reasons problem = map_->make_map(views);
   bootstrap_.reset();
   return problem;
 }

@@ -40,12 +40,12 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own
   BootstrapStatus status = poll();
   if (status.result && own_parts.delays_map(now.may_show_own_part)) {
     resume();
-    return {std::nullopt, OwnParts::kDelayReason};
+    return {std::nullopt, {{ReasonKind::kMayBeOwnPart}}};
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
   if (!status.result) return status;
   begin_map(std::move(*status.result), before);
-  return {std::nullopt, "two views found: a map is being made"};
+  return {std::nullopt, {{ReasonKind::kMapBegun}}};
 }
 
 void ConcurrentBootstrap::add(Waiting frame) {
@@ -59,8 +59,8 @@ void ConcurrentBootstrap::add(Waiting frame) {
 
 BootstrapStatus ConcurrentBootstrap::poll() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  BootstrapStatus status{std::exchange(status_.result, std::nullopt), status_.reason};
-  if (status.reason.empty()) status.reason = "first view taken";
+  BootstrapStatus status{std::exchange(status_.result, std::nullopt), status_.reasons};
+  if (status.reasons.empty()) status.reasons = {{ReasonKind::kFirstView}};
   return status;
 }
 

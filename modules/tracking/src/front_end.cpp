@@ -5,7 +5,6 @@
 
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
-#include "edgevo/core/output_file.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
@@ -98,10 +97,10 @@ void FrontEnd::hold_standstill(const ArrivedFrame& now, bool was_lost, Track* fo
 }
 
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
-std::string FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
+std::optional<Reason> FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
   const double step = motion_.step_to(T_cur_ref), most = motion_.largest_step(1 / reference_->median_idepth);
-  if (step <= most) return {};
-  return "a step of " + fixed(10 * step / most, 0) + " times the usual one";
+  if (step <= most) return std::nullopt;
+  return Reason{ReasonKind::kStep, kGiantTimes * step / most};
 }
 
 // What a search of corners must know of a frame before its pose is accepted. A frame that comes during

@@ -79,7 +79,7 @@ TEST_P(FrameStatusTable, GivesStatusAndReason) {
   GetParam().change(&evidence);
   const FrameStatus status = frame_status(evidence, kParams);
   EXPECT_EQ(status.state, GetParam().state);
-  EXPECT_EQ(status.reason, GetParam().reason);
+  EXPECT_EQ(to_string(status.reasons), GetParam().reason);
 }
 
 INSTANTIATE_TEST_SUITE_P(Evidence, FrameStatusTable, ::testing::ValuesIn(kTable),
@@ -88,9 +88,9 @@ INSTANTIATE_TEST_SUITE_P(Evidence, FrameStatusTable, ::testing::ValuesIn(kTable)
 TEST(FrameStatus, FollowsItsParameters) {
   StatusParams strict;
   strict.lost_share = 0.5, strict.degraded_share = 0.95, strict.min_visible = 1000, strict.weak_sigma = 1e-4;
-  EXPECT_EQ(frame_status(good_frame(), strict).reason, "inlier share 0.90 is below 0.95");
+  EXPECT_EQ(to_string(frame_status(good_frame(), strict).reasons), "inlier share 0.90 is below 0.95");
   strict.degraded_share = 0.9;
-  EXPECT_EQ(frame_status(good_frame(), strict).reason, "6 poorly observed direction(s)");
+  EXPECT_EQ(to_string(frame_status(good_frame(), strict).reasons), "6 poorly observed direction(s)");
   strict.min_visible = 1001;
   EXPECT_EQ(frame_status(good_frame(), strict).state, TrackingState::kLost);
 }

@@ -94,7 +94,7 @@ TEST(Trust, IsHighOnADriveThatIsRight) {
   Drive drive;
   const FrameTrust trust = drive.go(good_evidence(), kStep, 100);
   EXPECT_GT(trust.p_right, 0.9);
-  EXPECT_EQ(trust.reason, "");
+  EXPECT_EQ(to_string(trust.reasons), "");
 }
 
 TEST(Trust, IsLowWhenTheUnitOfTheMapHasFallen) {
@@ -105,7 +105,7 @@ TEST(Trust, IsLowWhenTheUnitOfTheMapHasFallen) {
   fallen.corners->motion_error = 0.6, fallen.corners->motion_error_depths = 0.3;
   const FrameTrust trust = drive.go(fallen, 0.4 * kStep, 10);
   EXPECT_LT(trust.p_right, kDoubtfulBelow);
-  EXPECT_EQ(trust.reason, "scale fell by 0.60 within 10 frames");
+  EXPECT_EQ(to_string(trust.reasons), "scale fell by 0.60 within 10 frames");
 }
 
 TEST(PRight, ContradictionsDecideAlone) {
@@ -128,7 +128,7 @@ TEST(Trust, ATurnWithAWrongFocalLengthIsInDoubtAndTheStraightWayIsNot) {
   drive.turn = 0.05;
   const FrameTrust turning = drive.go(wrong, kStep, 12);
   EXPECT_LT(turning.p_right, kDoubtfulBelow);
-  EXPECT_THAT(turning.reason, HasSubstr("a focal length that the corners put 25 % off"));
+  EXPECT_THAT(to_string(turning.reasons), HasSubstr("a focal length that the corners put 25 % off"));
   drive.turn = 0;
   EXPECT_GT(drive.go(wrong, kStep, 12).p_right, 0.9);
   drive.turn = 0.05, wrong.focal_error = 0.05;
@@ -208,7 +208,7 @@ TEST(Trust, AStepOfMoreThanTenUsualOnesIsInDoubt) {
   EXPECT_GT(drive.go(good_evidence(), 3 * kStep).p_right, kDoubtfulBelow);
   const FrameTrust giant = drive.go(good_evidence(), 400 * kStep);
   EXPECT_LT(giant.p_right, kDoubtfulBelow);
-  EXPECT_THAT(giant.reason, HasSubstr("a step of 400 times the usual one"));
+  EXPECT_THAT(to_string(giant.reasons), HasSubstr("a step of 400 times the usual one"));
 }
 
 TEST(Trust, ACameraThatHasStoodStillMayStartToMove) {
@@ -225,9 +225,9 @@ TEST(Trust, NoStepOfMoreThanTenUsualOnesIsTracking) {
                      giant = drive.go(good_evidence(), 10.1 * usual);
     EXPECT_FALSE(small.is_giant_step);
     EXPECT_TRUE(giant.is_giant_step);
-    const FrameStatus status = frame_status({TrackingState::kTracking, ""}, giant);
+    const FrameStatus status = frame_status({TrackingState::kTracking, {}}, giant);
     EXPECT_EQ(status.state, TrackingState::kDegraded);
-    EXPECT_THAT(status.reason, HasSubstr("a step of 10 times the usual one"));
+    EXPECT_THAT(to_string(status.reasons), HasSubstr("a step of 10 times the usual one"));
   }
 }
 
@@ -241,7 +241,7 @@ TEST(Trust, AGiantStepOfTheReportedPosesIsNotTracking) {
   EXPECT_FALSE(small.is_giant_step);
   EXPECT_TRUE(giant.is_giant_step);
   EXPECT_GT(giant.p_right, kDoubtfulBelow);
-  EXPECT_THAT(giant.reason, HasSubstr("a step of 10 times the usual one"));
+  EXPECT_THAT(to_string(giant.reasons), HasSubstr("a step of 10 times the usual one"));
 }
 
 // What the edges confirm is no suspicion, and no measure of the steps to come.
@@ -286,16 +286,17 @@ TEST(Trust, IsTheSameForTheSameFrames) {
 
 TEST(Status, IsDegradedInDoubtAndSaysWhy) {
   FrameTrust doubtful;
-  doubtful.p_right = kDoubtfulBelow - 1e-6, doubtful.reason = "scale fell";
-  const FrameStatus degraded = frame_status({TrackingState::kTracking, ""}, doubtful);
+  doubtful.p_right = kDoubtfulBelow - 1e-6, doubtful.reasons = {{ReasonKind::kTurn}};
+  const FrameStatus degraded = frame_status({TrackingState::kTracking, {}}, doubtful);
   EXPECT_EQ(degraded.state, TrackingState::kDegraded);
-  EXPECT_EQ(degraded.reason, "scale fell");
-  EXPECT_THAT(frame_status({TrackingState::kDegraded, "weak"}, doubtful).reason,
-              HasSubstr("weak; scale fell"));
-  EXPECT_EQ(frame_status({TrackingState::kLost, "gone"}, doubtful).reason, "gone");
+  EXPECT_EQ(to_string(degraded.reasons), "a translation that the turn hides");
+  EXPECT_EQ(to_string(frame_status({TrackingState::kDegraded, {{ReasonKind::kDiverged}}}, doubtful).reasons),
+            "alignment diverged; a translation that the turn hides");
+  EXPECT_EQ(to_string(frame_status({TrackingState::kLost, {{ReasonKind::kDiverged}}}, doubtful).reasons),
+            "alignment diverged");
   FrameTrust sure;
   sure.p_right = kDoubtfulBelow;
-  EXPECT_EQ(frame_status({TrackingState::kTracking, ""}, sure).state, TrackingState::kTracking);
+  EXPECT_EQ(frame_status({TrackingState::kTracking, {}}, sure).state, TrackingState::kTracking);
 }
 
 TEST(Covariance, GrowsWithDoubtToAHundredfoldAtMost) {

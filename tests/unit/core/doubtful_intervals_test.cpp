@@ -24,8 +24,13 @@ Run run_of(int frames) {
   return run;
 }
 
-void doubt(Run* run, int from, int to, const std::string& note) {
-  for (int i = from; i <= to; ++i) run->frames[size_t(i)].p_right = 0.01, run->frames[size_t(i)].note = note;
+const Reason kA{ReasonKind::kTurn}, kB{ReasonKind::kSteps}, kC{ReasonKind::kAdjustment};
+
+void doubt(Run* run, int from, int to, const Reason& reason) {
+  for (int i = from; i <= to; ++i) {
+    FrameRecord& frame = run->frames[size_t(i)];
+    frame.p_right = 0.01, frame.reasons = {reason}, frame.note = to_string(reason);
+  }
 }
 
 std::vector<std::string> texts(const Run& run) {
@@ -47,21 +52,21 @@ TEST(DoubtfulIntervals, FramesOfUnknownTrustAreNotDoubted) {
 
 TEST(DoubtfulIntervals, GiveTheirFramesAndTheCommonestReasonWhateverItsNumbers) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 10, 11, "blurred images");
-  doubt(&run, 12, 12, "scale fell by 0.30 within 10 frames");
-  doubt(&run, 13, 14, "scale fell by 0.40 within 10 frames");
-  doubt(&run, 60, 60, "few corners (3)");
+  doubt(&run, 10, 11, {ReasonKind::kImage});
+  doubt(&run, 12, 12, {ReasonKind::kScaleByCorners, 0.7, 10});
+  doubt(&run, 13, 14, {ReasonKind::kScaleByCorners, 0.6, 10});
+  doubt(&run, 60, 60, {ReasonKind::kFewCornersToCheck, 3});
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 114: scale fell by 0.30 within 10 frames",
-                                      "frame 160: few corners (3)"));
+                                      "frame 160: too few corners to check the motion (3)"));
   EXPECT_EQ(commonest_doubt(run), "scale fell by 0.30 within 10 frames");
 }
 
 TEST(DoubtfulIntervals, TheMostDoubtfulFrameOfEachOfTheLongestIsFound) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 10, 14, "scale fell");
+  doubt(&run, 10, 14, kA);
   run.frames[13].p_right = 0.001;
-  doubt(&run, 40, 40, "few corners (3)");
-  doubt(&run, 60, 62, "blurred images");
+  doubt(&run, 40, 40, {ReasonKind::kFewCornersToCheck, 3});
+  doubt(&run, 60, 62, {ReasonKind::kImage});
   for (int i : {61, 62}) run.frames[size_t(i)].p_right = 0.2;
   EXPECT_THAT(most_doubtful_frames(run, 2), ElementsAre(13u, 60u));
   EXPECT_THAT(most_doubtful_frames(run, 9), ElementsAre(13u, 40u, 60u));
@@ -76,33 +81,34 @@ TEST(DoubtfulIntervals, WhyThereIsNoMapIsAReasonToo) {
 
 TEST(DoubtfulIntervals, IntervalsTenFramesApartAreOne) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 10, 10, "a");
-  doubt(&run, 21, 21, "a");
-  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 121: a"));
+  doubt(&run, 10, 10, kA);
+  doubt(&run, 21, 21, kA);
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 121: a translation that the turn hides"));
   EXPECT_EQ(doubtful_intervals(run)[0].frames, 2);
-  doubt(&run, 33, 33, "a");
-  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 121: a", "frame 133: a"));
+  doubt(&run, 33, 33, kA);
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 121: a translation that the turn hides",
+                                      "frame 133: a translation that the turn hides"));
 }
 
 TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 10, 12, "a");
+  doubt(&run, 10, 12, kA);
   run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
-  doubt(&run, 40, 42, "b");
+  doubt(&run, 40, 42, kB);
   run.frames[53].evidence.unit = UnitComparison{};
-  doubt(&run, 80, 80, "c");
-  EXPECT_THAT(texts(run),
-              ElementsAre("frames 110 to 112: a",
-                          "frames 140 to 142: b; nothing links the unit of length after it to that before",
-                          "frame 180: c"));
+  doubt(&run, 80, 80, kC);
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides",
+                                      "frames 140 to 142: steps unlike those before; nothing links the unit "
+                                      "of length after it to that before",
+                                      "frame 180: keyframes were tracked worse than expected"));
 }
 
 TEST(DoubtfulIntervals, ANewMapThatNothingLinksIsOneEvenIfEachFrameHasGotAPose) {
   edgevo::Run run = run_of(120);
-  doubt(&run, 10, 12, "a");
+  doubt(&run, 10, 12, kA);
   run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
   run.frames[100].evidence.unit = UnitComparison{};
-  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a",
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides",
                                       "frame 200: nothing links the unit of length after it to that before"));
 }
 
@@ -116,22 +122,23 @@ TEST(DoubtfulIntervals, ANewMapThatTheGroundLinksIsOneToo) {
 
 TEST(DoubtfulIntervals, ADoubtSoonAfterANewMapIsAnotherOne) {
   edgevo::Run run = run_of(120);
-  doubt(&run, 10, 12, "a");
+  doubt(&run, 10, 12, kA);
   run.frames[15].evidence.unit = UnitComparison{};
-  doubt(&run, 17, 19, "b");
+  doubt(&run, 17, 19, kB);
   run.frames[30].evidence.unit = UnitComparison{};
   const std::string unlinked = "; nothing links the unit of length after it to that before";
-  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a" + unlinked, "frames 117 to 119: b" + unlinked))
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides" + unlinked,
+                                      "frames 117 to 119: steps unlike those before" + unlinked))
       << "both begin another unit";
 }
 
 TEST(DoubtfulIntervals, AComparisonLongAfterwardsSaysNothingOfIt) {
   edgevo::Run run = run_of(120);
-  doubt(&run, 10, 12, "a");
+  doubt(&run, 10, 12, kA);
   run.frames[15].evidence.unit = UnitComparison{};
   run.frames[100].evidence.unit = UnitComparison{1.01, 0.03};
-  EXPECT_THAT(texts(run),
-              ElementsAre("frames 110 to 112: a; nothing links the unit of length after it to that before"));
+  EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides; nothing links "
+                                      "the unit of length after it to that before"));
 }
 
 TEST(DoubtfulIntervals, LostFramesAreAmongThem) {
@@ -151,10 +158,10 @@ TEST(DoubtfulIntervals, TheLongestAreGivenInOrderOfTime) {
 
 TEST(RunCounts, ARunIsLargelyDoubtfulAboveAQuarter) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 0, 24, "a");
+  doubt(&run, 0, 24, kA);
   EXPECT_EQ(count(run).doubtful, 25);
   EXPECT_FALSE(count(run).is_largely_doubtful());
-  doubt(&run, 25, 25, "a");
+  doubt(&run, 25, 25, kA);
   EXPECT_TRUE(count(run).is_largely_doubtful());
   EXPECT_FALSE(count(edgevo::Run()).is_largely_doubtful());
 }

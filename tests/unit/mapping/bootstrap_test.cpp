@@ -42,10 +42,10 @@ class BootstrapOnSweep : public ::testing::Test {
     for (int k = first; k < first + 40; ++k) {
       BootstrapStatus status = add(bootstrap, k, flicker && k % 2 ? 0.6 : 1.0);
       if (status.result) {
-        EXPECT_EQ(status.reason, "");
+        EXPECT_EQ(to_string(status.reasons), "");
         return *status.result;
       }
-      EXPECT_NE(status.reason, "");
+      EXPECT_NE(to_string(status.reasons), "");
     }
     ADD_FAILURE() << "no result in 40 frames";
     return {};
@@ -178,7 +178,7 @@ TEST_F(BootstrapOnSweep, TheFirstFrameGivesNoResult) {
   Bootstrap bootstrap = make();
   const BootstrapStatus status = add(&bootstrap, 0);
   EXPECT_FALSE(status.result);
-  EXPECT_EQ(status.reason, "first view taken");
+  EXPECT_EQ(to_string(status.reasons), "first view taken");
 }
 
 TEST_F(BootstrapOnSweep, ReportsNoMotionAtAStandstill) {
@@ -188,7 +188,7 @@ TEST_F(BootstrapOnSweep, ReportsNoMotionAtAStandstill) {
         bootstrap.add(k, time_of(k), scene.pyramid(SE3(), 1.0, 0.0, 2.0, uint64_t(k)));
     ASSERT_FALSE(status.result);
     if (k == 0) continue;
-    EXPECT_THAT(status.reason, HasSubstr("median motion 0."));
+    EXPECT_THAT(to_string(status.reasons), HasSubstr("median motion 0."));
   }
 }
 
@@ -203,8 +203,8 @@ TEST_F(BootstrapOnSweep, GivesNoMapFromPureRotation) {
     ASSERT_FALSE(status.result) << k;
     // Corners behind a camera, too little parallax or no common motion: which one is up to chance, but a
     // reason is reported.
-    if (k > 0 && status.reason.find("median motion") == std::string::npos) ++enough_motion;
-    EXPECT_NE(status.reason, "");
+    if (k > 0 && to_string(status.reasons).find("median motion") == std::string::npos) ++enough_motion;
+    EXPECT_NE(to_string(status.reasons), "");
   }
   EXPECT_GT(enough_motion, 3);
 }
@@ -218,7 +218,7 @@ TEST_F(BootstrapOnSweep, ReportsThatABlankImageHasNoCorners) {
   for (int k = 0; k < 3; ++k) {
     const BootstrapStatus status = bootstrap.add(k, time_of(k), blank);
     EXPECT_FALSE(status.result);
-    EXPECT_THAT(status.reason, HasSubstr("only 0 corners in the image, 80 needed"));
+    EXPECT_THAT(to_string(status.reasons), HasSubstr("only 0 corners in the image, 80 needed"));
   }
   EXPECT_EQ(run(&bootstrap, 3).views.front().frame_index, 3);
 }
@@ -229,7 +229,7 @@ TEST_F(BootstrapOnSweep, ReportsThatCornersAreTooFew) {
       PyramidBuilder(scene.camera, EdgeParams()).build(test::disc_image(320, 240, {160, 120}, 30, 60, 200));
   const BootstrapStatus status = bootstrap.add(0, time_of(0), discs);
   EXPECT_FALSE(status.result);
-  EXPECT_THAT(status.reason, ::testing::ContainsRegex("only [0-9]+ corners in the image"));
+  EXPECT_THAT(to_string(status.reasons), ::testing::ContainsRegex("only [0-9]+ corners in the image"));
 }
 
 TEST_F(BootstrapOnSweep, RestartsWhenTheCornersAreGone) {
@@ -238,7 +238,7 @@ TEST_F(BootstrapOnSweep, RestartsWhenTheCornersAreGone) {
   const HollowScene other(99);
   const BootstrapStatus status = bootstrap.add(1, time_of(1), other.pyramid(SE3()));
   EXPECT_FALSE(status.result);
-  EXPECT_THAT(status.reason, HasSubstr("new first view"));
+  EXPECT_THAT(to_string(status.reasons), HasSubstr("new first view"));
 }
 
 TEST_F(BootstrapOnSweep, TakesANewFirstViewAfterTooManyFrames) {
@@ -249,7 +249,7 @@ TEST_F(BootstrapOnSweep, TakesANewFirstViewAfterTooManyFrames) {
     EXPECT_FALSE(bootstrap.add(k, time_of(k), scene.pyramid(sweep_pose(20))).result);
   const BootstrapStatus status = bootstrap.add(5, time_of(5), scene.pyramid(sweep_pose(20)));
   EXPECT_FALSE(status.result);
-  EXPECT_EQ(status.reason, "too little motion for too long; new first view");
+  EXPECT_EQ(to_string(status.reasons), "too little motion for too long; new first view");
   // Frames from 21 on move: the result must not go back beyond the new first view.
   BootstrapStatus moving;
   for (int k = 6; !moving.result && k < 30; ++k)
@@ -274,7 +274,8 @@ TEST_F(BootstrapOnSweep, GivesUpAFirstViewThatDisagreesWithAllOthers) {
       bootstrap.add(0, time_of(0), PyramidBuilder(scene.camera, EdgeParams()).build(torn));
   for (int k = 1; k < 60 && !status.result; ++k) {
     status = add(&bootstrap, k);
-    if (status.reason.find("; new first view") != std::string::npos) given_up += status.reason;
+    if (to_string(status.reasons).find("; new first view") != std::string::npos)
+      given_up += to_string(status.reasons);
   }
   EXPECT_THAT(given_up, HasSubstr("of the corners agree on one motion"));
   ASSERT_TRUE(status.result);
@@ -294,7 +295,8 @@ TEST_F(BootstrapOnSweep, LostCornersCountAsMovedFurther) {
     const BootstrapStatus status =
         bootstrap.add(4, time_of(4), PyramidBuilder(scene.camera, EdgeParams()).build(dark));
     double px = 0;
-    EXPECT_EQ(std::sscanf(status.reason.c_str(), "median motion %lf px", &px), 1) << status.reason;
+    EXPECT_EQ(std::sscanf(to_string(status.reasons).c_str(), "median motion %lf px", &px), 1)
+        << to_string(status.reasons);
     return px;
   };
   EXPECT_GT(median_motion(true), median_motion(false));

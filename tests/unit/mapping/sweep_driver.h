@@ -32,7 +32,7 @@ class SweepDriver {
 
   std::string start(int first = 0, int last = 8, double unit = 1.0) {
     unit_ = unit;
-    const std::string problem = mapper.initialise(true_bootstrap(first, last, unit));
+    const std::string problem = to_string(mapper.initialise(true_bootstrap(first, last, unit)));
     if (problem.empty()) mapper.begin_segment(segments_++);
     return problem;
   }

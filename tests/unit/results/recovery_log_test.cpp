@@ -206,8 +206,10 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
 TEST_F(RecoveryLogs, RestoresAFrameAndItsAnchor) {
   FrameAnchored event{made_.run.frames[30], FrameAnchor{90, kPose, kPose.inverse(), 2}};
   event.frame.latency_ms = 12.5;
-  event.frame.note = "a note";
+  event.frame.reasons = {{ReasonKind::kInlierShare, 0.3, 0.4}, {ReasonKind::kTurn}};
+  event.frame.note = to_string(event.frame.reasons);
   const auto back = there_and_back(event);
+  EXPECT_EQ(to_string(back.frame.reasons), event.frame.note);
   EXPECT_EQ(frames_csv_row(back.frame, {}), frames_csv_row(event.frame, {}));
   EXPECT_EQ(back.frame.latency_ms, 12.5);
   EXPECT_EQ(back.frame.covariance, event.frame.covariance);

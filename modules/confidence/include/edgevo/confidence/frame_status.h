@@ -11,6 +11,7 @@
 #include "edgevo/confidence/status_params.h"
 #include "edgevo/confidence/trust.h"
 #include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/reason.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/tracking_state.h"
 
@@ -38,8 +39,8 @@ inline bool is_lost(PoseSupport support) { return support < PoseSupport::kWeak; 
 struct FrameStatus {
   /// kTracking, kDegraded, or kLost, which makes the pose meaningless.
   TrackingState state = TrackingState::kLost;
-  /// Why the frame is degraded or lost, in a short sentence; empty for kTracking.
-  std::string reason;
+  /// Why the frame is degraded or lost; empty for kTracking.
+  Reasons reasons;
 };
 /// Status of a frame that was tracked: the support of its pose, or, where that is good, DEGRADED if a
 /// direction has a standard deviation above `weak_sigma`.
@@ -52,15 +53,17 @@ FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams para
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
 /// Status of a frame whose pose is refused, as after a step beyond MotionModel::largest_step(): LOST for that
 /// reason, if there is one, unless the image has refused it already.
-FrameStatus status_with_refusal(const FrameStatus& by_image, const std::string& reason);
+FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason);
 /// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a giant step,
 /// `times` the usual one (NaN: not known).
 FrameStatus status_after_step(const FrameStatus& status, double times);
 /// Status of a frame whose pose the two-view reconstruction has given: TRACKING, or DEGRADED if the map
 /// explains its image too little. `by_image`: nothing if the image is gone.
 FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image);
-/// Writes state and note of a record.
+/// Writes state, reasons and note of a record.
 void assign_status(FrameStatus status, FrameRecord* record);
+/// The same for a frame that is skipped, with `note`.
+void assign_skipped(TrackingState state, std::string note, FrameRecord* record);
 
 /// Factor on the covariance of a pose with this p_right: 1 from kDoubtfulBelow on, (kDoubtfulBelow / p)^2
 /// below, at most 100.

@@ -13,12 +13,12 @@
 #include <deque>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/angle.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/motion_tolerance.h"
+#include "edgevo/core/reason.h"
 #include "edgevo/core/se3.h"
 
 namespace edgevo {
@@ -67,8 +67,6 @@ struct TrustFrame {
 
 /// A step of more than so many usual ones is a giant step: none that a camera makes.
 inline constexpr double kGiantTimes = 10;
-/// "a step of 12 times the usual one"
-std::string giant_step_in_words(double times);
 
 /// Trust in a frame.
 struct FrameTrust {
@@ -76,8 +74,8 @@ struct FrameTrust {
   double p_right = 0;
   /// What speaks against it.
   Doubts doubts{};
-  /// The largest contribution in words: "scale fell by 0.40 within 10 frames".
-  std::string reason;
+  /// The largest contribution, if the motion is doubted.
+  Reasons reasons;
   /// Whether the step is longer than ten times the median of the 50 before, in the unit of the map or as the
   /// run reports it: the frame is not TRACKING, even if it starts from a standstill, which does not make it
   /// unlikely.

@@ -25,8 +25,8 @@ struct DoubtfulInterval {
   int first_frame = 0, last_frame = 0;
   /// Number of doubtful frames among them.
   int frames = 0;
-  /// The commonest note among these frames: what spoke against the poses. Notes that differ only in their
-  /// numbers count as one; the first of them is given.
+  /// The commonest note among these frames: what spoke against the poses. Notes of the same kinds of reasons
+  /// count as one; the first of them is given.
   std::string reason;
   /// The last comparison of the units of length before and after the interval; nothing if there was none.
   std::optional<UnitComparison> unit;

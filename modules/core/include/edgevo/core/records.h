@@ -16,6 +16,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/keyframe_reason.h"
+#include "edgevo/core/reason.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
@@ -56,7 +57,9 @@ struct FrameRecord {
   /// unit of the run; relative to the keyframe that the frame was tracked against
   /// (alignment/pose_covariance.h, with the factor of confidence/tracking_check.h). Zero: unknown.
   Matrix6d covariance = Matrix6d::Zero();
-  /// Reason why a bootstrap is not ready or tracking was lost; else empty.
+  /// Why there is no map yet, tracking was lost, or the motion is doubted; else empty.
+  Reasons reasons;
+  /// The same in words, or why the frame was skipped.
   std::string note;
   /// With --realtime: time from when the frame was due (or arrived) until its pose was available,
   /// milliseconds.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/reason.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
@@ -64,8 +65,8 @@ struct BootstrapResult {
 struct BootstrapStatus {
   /// The two views; nothing if they are not ready yet.
   std::optional<BootstrapResult> result;
-  /// Why there is no result yet, as a short sentence.
-  std::string reason;
+  /// Why there is no result yet.
+  Reasons reasons;
 };
 
 /// Searches two views with enough parallax.

@@ -54,9 +54,9 @@ class MapLink {
 
   /// Rebuilds the images of the views for their motions, where a rolling shutter has read them: 8 ms each.
   void rectify_rows(BootstrapResult* views);
-  /// Closes the present map, if any, and builds a new one from two views. Returns an empty string, or why
+  /// Closes the present map, if any, and builds a new one from two views. Returns nothing, or why
   /// they make no map. Waits until all submitted frames are processed.
-  [[nodiscard]] std::string make_map(const BootstrapResult& views);
+  [[nodiscard]] Reasons make_map(const BootstrapResult& views);
   /// Makes the newest map that of `segment`, whose pose has been announced.
   void begin_segment(int segment);
 

@@ -149,8 +149,8 @@ class Mapper {
   ~Mapper();
 
   /// Builds the first window of a segment in the first view's frame, from the two views and up to three
-  /// between them. Returns an empty string, or why they make no map.
-  [[nodiscard]] std::string initialise(const BootstrapResult& bootstrap);
+  /// between them. Returns nothing, or why they make no map.
+  [[nodiscard]] Reasons initialise(const BootstrapResult& bootstrap);
   /// Announces the first window as that of `segment`, whose pose has been announced.
   void begin_segment(int segment) { map_->begin_segment(segment); }
   /// Processes one tracked frame: updates immature depths, and makes it a keyframe if requested.

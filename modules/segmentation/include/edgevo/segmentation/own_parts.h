@@ -12,9 +12,6 @@ namespace edgevo {
 /// Follows the mask from frame to frame.
 class OwnParts {
  public:
-  /// Note of a frame while a map waits.
-  static constexpr const char* kDelayReason = "part of the view may be fixed to the camera: the map waits";
-
   /// Takes the next frame. Returns true if its mask covers something else than that of the last change.
   bool take(const FramePyramid& frame);
   /// One line about the last change.

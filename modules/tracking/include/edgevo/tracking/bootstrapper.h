@@ -55,9 +55,9 @@ class Bootstrapper {
   [[nodiscard]] BootstrapStatus add(const ArrivedFrame& now);
   /// Rectifies the rows of the views (MapLink::rectify_rows).
   void rectify_rows(BootstrapResult* views) { map_->rectify_rows(views); }
-  /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns an empty string, or why
-  /// they make no map.
-  [[nodiscard]] std::string make_map(const BootstrapResult& views);
+  /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns nothing, or why they make
+  /// no map.
+  [[nodiscard]] Reasons make_map(const BootstrapResult& views);
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found

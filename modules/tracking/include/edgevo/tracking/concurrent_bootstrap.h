@@ -22,7 +22,7 @@ namespace edgevo {
 /// A map that was made of two views, if it was.
 struct MadeMap {
   /// Why the views make no map; empty if they do.
-  std::string problem;
+  Reasons problem;
   /// The views.
   BootstrapResult views;
   /// What its segment needs besides.

@@ -68,8 +68,8 @@ class FrontEnd {
   Track find_pose(const ArrivedFrame& now, bool was_lost);
   /// Motion from the last frame with a pose to one at T_cur_ref.
   SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * motion_.T_last_ref().inverse(); }
-  /// Why the step to a pose is not believed, whatever its support; empty where it is.
-  std::string reason_against_step(const SE3& T_cur_ref) const;
+  /// Why the step to a pose is not believed, whatever its support; nothing where it is.
+  std::optional<Reason> reason_against_step(const SE3& T_cur_ref) const;
   /// Whether the map is in view (MapCoverage::look).
   MapInView look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
