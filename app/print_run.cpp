@@ -3,9 +3,9 @@
 
 #include <cstdio>
 
-#include "edgevo/core/doubtful_intervals.h"
-#include "edgevo/core/run_statistics.h"
-#include "edgevo/core/run_warnings.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/run_statistics.h"
+#include "edgevo/run_quality/run_warnings.h"
 
 namespace edgevo::app {
 

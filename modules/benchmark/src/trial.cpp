@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 namespace edgevo {
 

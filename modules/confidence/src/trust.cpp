@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "doubts.h"
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "trust_table.h"
 
 namespace edgevo {
@@ -15,7 +15,7 @@ namespace {
 // p_right where one doubt decides alone.
 constexpr double kAtMostInDoubt = 0.1;
 
-static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_intervals.h");
+static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_frame.h");
 static_assert(kAtMostInDoubt < kDoubtfulBelow, "such a frame is doubtful");
 
 template <class... Numbers>

@@ -41,7 +41,7 @@ struct Trial {
   /// of the whole sequence (TrajectoryEvaluation::scale_curve), percent: 100 for half and for double the
   /// scale.
   double scale_error_percent = 0;
-  /// Number of doubtful frames (core/doubtful_intervals.h).
+  /// Number of doubtful frames (core/doubtful_frame.h).
   int doubtful_frames = 0;
   /// Whether `edgevo run` would end with exit code 3: most frames have no pose, or too many are doubtful.
   bool has_failed = false;

@@ -41,7 +41,7 @@
 #include <limits>
 #include <vector>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/evaluation/claimed_frame.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "edgevo/evaluation/truth_noise.h"

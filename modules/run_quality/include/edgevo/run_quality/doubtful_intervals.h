@@ -6,18 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/records.h"
 
 namespace edgevo {
-
-/// Value of FrameRecord::p_right below which a frame is doubtful. At most 2 % of the frames whose motion is
-/// right have a lower one, on cameras that the fit had not seen (split conformal;
-/// share/training/fit_trust.cpp).
-inline constexpr double kDoubtfulBelow = 0.4467;
-
-/// Whether the motion around the frame is not to be trusted: p_right is known and below kDoubtfulBelow, or
-/// the frame is LOST.
-bool is_doubtful(const FrameRecord& frame);
 
 /// Frames in a row that are not to be trusted.
 struct DoubtfulInterval {

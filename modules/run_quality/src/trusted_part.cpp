@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/trusted_part.h"
+#include "edgevo/run_quality/trusted_part.h"
 
 namespace edgevo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,10 +58,6 @@ std::string link_in_words(const UnitComparison& unit) {
 }
 
 }  // namespace
-
-bool is_doubtful(const FrameRecord& frame) {
-  return frame.state == TrackingState::kLost || frame.p_right < kDoubtfulBelow;  // false for NaN
-}
 
 std::vector<DoubtfulInterval> doubtful_intervals(const Run& run) {
   std::vector<DoubtfulInterval> intervals;

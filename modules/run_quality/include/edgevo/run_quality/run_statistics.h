@@ -19,7 +19,7 @@ struct RunCounts {
   int with_pose = 0;
   /// Number of frames in state LOST.
   int lost = 0;
-  /// Number of doubtful frames (doubtful_intervals.h), LOST ones included.
+  /// Number of doubtful frames (core/doubtful_frame.h), LOST ones included.
   int doubtful = 0;
   /// Number of doubtful keyframes (KeyframeRecord::is_doubtful).
   int doubtful_keyframes = 0;

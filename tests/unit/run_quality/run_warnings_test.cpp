@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/run_warnings.h"
+#include "edgevo/run_quality/run_warnings.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 
 #include <gmock/gmock.h>
 
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 namespace edgevo {
 namespace {

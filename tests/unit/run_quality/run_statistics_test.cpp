@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 #include <gtest/gtest.h>
 

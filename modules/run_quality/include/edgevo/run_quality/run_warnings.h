@@ -9,9 +9,6 @@
 
 namespace edgevo {
 
-/// Largest residual k1 that self-calibration considers: beyond it a camera file is wrong in another way.
-constexpr double kLargestResidualK1 = 0.03;
-
 /// Whether the estimate of k1 ran into that limit, be it applied or not.
 bool ran_to_limit(const CameraRefinement& camera);
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
