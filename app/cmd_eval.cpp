@@ -11,6 +11,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/evaluation/alignment_hints.h"
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/frame_evaluation/truth_noise.h"
 #include "option_checks.h"
 
 namespace edgevo::app {
@@ -60,13 +61,13 @@ int eval_folders(const EvalArguments& args, const EvaluationOptions& options, co
   std::vector<std::string> paths{args.trajectory};
   if (!args.ground_truth.empty()) paths.push_back(args.ground_truth);
   paths.insert(paths.end(), args.more_runs.begin(), args.more_runs.end());
-  return eval_runs(paths, options, args.json, args.truth_reading);
+  const TruthNoise stated{args.truth_sigma_m, rad(args.truth_sigma_deg)};
+  return eval_runs(paths, options, stated, args.json, args.truth_reading);
 }
 
 int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
-  options.stated_noise = {args.truth_sigma_m, rad(args.truth_sigma_deg)};
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
   if (args.truth_sigma_m > 0 || args.truth_sigma_deg > 0)
     throw InputError(args.trajectory, "is no folder of a run: --truth-sigma-... is for its single frames",

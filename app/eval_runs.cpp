@@ -70,7 +70,7 @@ class RunReader {
   RunReader(std::string truth, const TruthNoise& stated_noise,
             std::function<Trajectory(const std::string&)> read)
       : truth_(std::move(truth)), read_(std::move(read)) {
-    rules_.stated_noise = stated_noise;
+    options_.stated_noise = stated_noise;
   }
 
   const Trajectory& truth_of(const std::string& run) {
@@ -82,8 +82,8 @@ class RunReader {
     return known != known_.end() ? known->second : known_.emplace(path, read_(path)).first->second;
   }
 
-  RunJudgements read(const std::string& run) {
-    RunJudgements found = judge_folder(run, truth_of(run), rules_);
+  FrameEvaluations read(const std::string& run) {
+    FrameEvaluations found = evaluate_frames_in(run, truth_of(run), options_);
     if (!found.live.has_depth && !found.final.has_depth)
       throw InputError((fs::path(run) / "frames.csv").string(),
                        "has no median_depth, without which frames cannot be evaluated",
@@ -93,7 +93,7 @@ class RunReader {
 
  private:
   std::string truth_;
-  JudgementRules rules_;
+  FrameEvaluationOptions options_;
   std::function<Trajectory(const std::string&)> read_;
   std::map<std::string, Trajectory> known_;
 };
@@ -103,18 +103,19 @@ void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
 void eval_one(const std::string& run, const EvaluationOptions& options, bool json, RunReader* reader) {
   const std::string trajectory = (fs::path(run) / "trajectory_tum.txt").string();
   const Trajectory estimate = read_trajectory(trajectory), &truth = reader->truth_of(run);
-  TrajectoryEvaluation e = evaluate(estimate, truth, options);
+  const TrajectoryEvaluation e = evaluate(estimate, truth, options);
   for (const std::string& hint : alignment_hints(estimate, truth))
     std::fprintf(stderr, "HINT: %s\n", hint.c_str());
-  const RunJudgements found = reader->read(run);
-  e.judgement = {{"live", figures_of({found.live})}, {"final", figures_of({found.final})}};
-  e.truth_noise = found.live.noise;
-  print(json ? to_json(e) : to_table(e));
+  const FrameEvaluations found = reader->read(run);
+  const std::vector<NamedFigures> rows{{"live", figures_of({found.live})},
+                                       {"final", figures_of({found.final})}};
+  const TruthNoise& noise = found.live.noise;
+  print(json ? to_json(e, frame_members(rows, noise)) : to_table(e) + frame_section(rows, noise));
 }
 
 void eval_many(const std::vector<std::string>& runs, bool json, RunReader* reader) {
   std::vector<NamedFigures> rows;
-  std::vector<RunJudgement> all, normal, changed;
+  std::vector<FrameEvaluation> all, normal, changed;
   for (const std::string& run : runs) {
     all.push_back(reader->read(run).live);
     rows.push_back({run, figures_of({all.back()})});
@@ -126,16 +127,16 @@ void eval_many(const std::vector<std::string>& runs, bool json, RunReader* reade
     rows.push_back({"normal light", figures_of(normal)});
     rows.push_back({"changed light", figures_of(changed)});
   }
-  print(json ? judgement_json(rows) + "\n" : judgement_table(rows));
+  print(json ? frame_figures_json(rows) + "\n" : frame_figures_table(rows));
 }
 
 }  // namespace
 
-int eval_runs(const std::vector<std::string>& paths, const EvaluationOptions& options, bool json,
-              const TrajectoryReading& truth_reading,
+int eval_runs(const std::vector<std::string>& paths, const EvaluationOptions& options,
+              const TruthNoise& stated_noise, bool json, const TrajectoryReading& truth_reading,
               const std::function<Trajectory(const std::string& path)>& read_truth) {
   const RunsAndTruth given = sort_out(paths);
-  RunReader reader(given.truth, options.stated_noise, [&](const std::string& path) {
+  RunReader reader(given.truth, stated_noise, [&](const std::string& path) {
     Trajectory truth = read_truth(path);
     reread(truth_reading, &truth);
     return truth;

@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
   edgevo::app::add_mask_command(app, &action);
   edgevo::app::add_eval_command(
       app, &action, edgevo::app::source_truth,
-      [](const auto& paths, const auto& options, bool json, const auto& truth_reading) {
-        return edgevo::app::eval_runs(paths, options, json, truth_reading, edgevo::app::source_truth);
+      [](const auto& paths, const auto& options, const auto& noise, bool json, const auto& truth_reading) {
+        return edgevo::app::eval_runs(paths, options, noise, json, truth_reading, edgevo::app::source_truth);
       });
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);

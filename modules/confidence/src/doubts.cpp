@@ -8,7 +8,7 @@
 namespace edgevo {
 namespace {
 
-// What makes a motion wrong (evaluation/frame_judge.h).
+// What makes a motion wrong (frame_evaluation/evaluate_frames.h).
 constexpr double kWrongShare = 0.25, kWrongDepths = 0.02, kWrongDeg = 3;
 
 // Most doubt by what right motions do, too: a camera that speeds up, a keyframe whose view is new.

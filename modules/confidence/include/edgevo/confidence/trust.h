@@ -6,8 +6,8 @@
 // probability: more doubt never makes p_right larger. Weights and table are fitted to runs with ground truth
 // by share/training/fit_trust.cpp and are in src/trust_table.h.
 //
-// "Right" is what evaluation/frame_judge.h calls so: over ten frames, the translation in the scale of the
-// fifty before, and the rotation.
+// "Right" is what frame_evaluation/evaluate_frames.h calls so: over ten frames, the translation in the scale
+// of the fifty before, and the rotation.
 #include <array>
 #include <cmath>
 #include <deque>

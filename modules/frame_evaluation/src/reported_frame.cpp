@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/evaluation/claimed_frame.h"
+#include "edgevo/frame_evaluation/reported_frame.h"
 
 #include <filesystem>
 #include <map>
@@ -36,8 +36,8 @@ std::map<int64_t, SE3> poses_in(const std::string& path) {
   return poses;
 }
 
-ClaimedFrame claim_in(const CsvTable& row) {
-  ClaimedFrame frame;
+ReportedFrame reported_in(const CsvTable& row) {
+  ReportedFrame frame;
   frame.index = int(row.number("index"));
   if (!parse_seconds(row.text("time"), &frame.time))
     throw InputError(row.where(), "the time is not a number of seconds", kRemedy);
@@ -48,9 +48,9 @@ ClaimedFrame claim_in(const CsvTable& row) {
   return frame;
 }
 
-std::map<int, int> positions_of(const std::vector<ClaimedFrame>& claims) {
+std::map<int, int> positions_of(const std::vector<ReportedFrame>& reported) {
   std::map<int, int> position;
-  for (size_t i = 0; i < claims.size(); ++i) position[claims[i].index] = int(i);
+  for (size_t i = 0; i < reported.size(); ++i) position[reported[i].index] = int(i);
   return position;
 }
 
@@ -59,13 +59,13 @@ int position_of(const std::map<int, int>& positions, int index) {
   return known == positions.end() ? -1 : known->second;
 }
 
-void read_covariances(const std::string& path, std::vector<ClaimedFrame>* claims) {
-  const std::map<int, int> positions = positions_of(*claims);
+void read_covariances(const std::string& path, std::vector<ReportedFrame>* reported) {
+  const std::map<int, int> positions = positions_of(*reported);
   CsvTable table(path, kRemedy);
   while (table.next()) {
     const int at = position_of(positions, int(table.number("index")));
     if (at < 0) continue;
-    ClaimedFrame& frame = (*claims)[size_t(at)];
+    ReportedFrame& frame = (*reported)[size_t(at)];
     frame.reference = position_of(positions, int(table.number("reference")));
     for (int i = 0; i < 6; ++i)
       for (int j = i; j < 6; ++j)
@@ -76,38 +76,38 @@ void read_covariances(const std::string& path, std::vector<ClaimedFrame>* claims
 
 }  // namespace
 
-std::vector<ClaimedFrame> claims_of(const Run& run, PoseSource poses) {
-  std::vector<ClaimedFrame> claims;
-  claims.reserve(run.frames.size());
+std::vector<ReportedFrame> reported_frames(const Run& run, PoseSource poses) {
+  std::vector<ReportedFrame> reported;
+  reported.reserve(run.frames.size());
   for (const FrameRecord& f : run.frames) {
-    ClaimedFrame& claim = claims.emplace_back();
-    claim.index = f.index, claim.time = f.time, claim.state = f.state, claim.segment = f.segment;
-    claim.p_right = f.p_right, claim.median_depth = f.evidence.median_depth;
+    ReportedFrame& frame = reported.emplace_back();
+    frame.index = f.index, frame.time = f.time, frame.state = f.state, frame.segment = f.segment;
+    frame.p_right = f.p_right, frame.median_depth = f.evidence.median_depth;
     const std::optional<SE3>& T = poses == PoseSource::kLive ? f.T_world_cam_live : f.T_world_cam;
-    if (T && T->is_finite()) claim.T_world_cam = T;
-    claim.covariance = f.covariance;
+    if (T && T->is_finite()) frame.T_world_cam = T;
+    frame.covariance = f.covariance;
   }
-  const std::map<int, int> positions = positions_of(claims);
-  for (size_t i = 0; i < claims.size(); ++i)
+  const std::map<int, int> positions = positions_of(reported);
+  for (size_t i = 0; i < reported.size(); ++i)
     if (const int k = run.frames[i].reference_keyframe; k >= 0)
-      claims[i].reference = position_of(positions, run.keyframes[size_t(k)].frame_index);
-  return claims;
+      reported[i].reference = position_of(positions, run.keyframes[size_t(k)].frame_index);
+  return reported;
 }
 
-std::vector<ClaimedFrame> read_claims(const std::string& folder, PoseSource poses) {
+std::vector<ReportedFrame> read_reported_frames(const std::string& folder, PoseSource poses) {
   const auto in = [&](const char* name) { return (fs::path(folder) / name).string(); };
   const std::map<int64_t, SE3> pose_at =
       poses_in(in(poses == PoseSource::kLive ? "trajectory_live_tum.txt" : "trajectory_tum.txt"));
-  std::vector<ClaimedFrame> claims;
+  std::vector<ReportedFrame> reported;
   CsvTable table(in("frames.csv"), kRemedy);
   while (table.next()) {
-    claims.push_back(claim_in(table));
-    const auto pose = pose_at.find(claims.back().time.ticks);
-    if (pose != pose_at.end()) claims.back().T_world_cam = pose->second;
+    reported.push_back(reported_in(table));
+    const auto pose = pose_at.find(reported.back().time.ticks);
+    if (pose != pose_at.end()) reported.back().T_world_cam = pose->second;
   }
   std::error_code ignored;
-  if (fs::exists(in("covariances.csv"), ignored)) read_covariances(in("covariances.csv"), &claims);
-  return claims;
+  if (fs::exists(in("covariances.csv"), ignored)) read_covariances(in("covariances.csv"), &reported);
+  return reported;
 }
 
 }  // namespace edgevo

@@ -3,7 +3,7 @@
 // Pose of the camera on the body that a ground truth describes. That need not be the camera: the truth of a
 // drive may be that of the GPS unit, turned by some degrees and a metre away. The absolute error hardly
 // shows it, but in a turn of 35 degrees a camera a metre away moves by another 0.6 m.
-#include "judged_run.h"
+#include "run_with_truth.h"
 
 namespace edgevo {
 
@@ -12,6 +12,7 @@ namespace edgevo {
 /// lengths in turns. What the motions do not determine stays zero. The identity, unless the fit is a small
 /// correction (at most 15 degrees) that reduces the median error by a third, and under which the rotations
 /// fit as well as before: where translations are bad, some turn of the camera often makes them look better.
-SE3 truth_mount(const JudgedRun& run, const StepScale& scales, int ahead, int scale_steps, int fewest_steps);
+SE3 truth_mount(const RunWithTruth& run, const StepScale& scales, int ahead, int scale_steps,
+                int fewest_steps);
 
 }  // namespace edgevo

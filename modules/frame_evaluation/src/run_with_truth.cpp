@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "judged_run.h"
+#include "run_with_truth.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "edgevo/evaluation/association.h"
+#include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo {
 namespace {
@@ -31,42 +31,42 @@ std::optional<double> weighted_median(Step first, Step last) {
 
 }  // namespace
 
-JudgedRun::JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth,
-                     const TruthNoise& stated)
-    : claims_(claims), shown_noise_(truth_noise(truth)), noise_(larger_noise(shown_noise_, stated)) {
+RunWithTruth::RunWithTruth(const std::vector<ReportedFrame>& reported, const Trajectory& truth,
+                           const TruthNoise& stated)
+    : reported_(reported), shown_noise_(truth_noise(truth)), noise_(larger_noise(shown_noise_, stated)) {
   const GroundTruth at(truth);
-  for (const ClaimedFrame& c : claims) truth_.push_back(at.at(c.time));
+  for (const ReportedFrame& c : reported) truth_.push_back(at.at(c.time));
   find_segments();
-  depth_.assign(claims.size(), std::numeric_limits<double>::quiet_NaN());
+  depth_.assign(reported.size(), std::numeric_limits<double>::quiet_NaN());
   carry_depths(0, size(), 1);
   carry_depths(size() - 1, -1, -1);
   find_standing();
 }
 
-void JudgedRun::set_mount(const SE3& T_body_cam) {
+void RunWithTruth::set_mount(const SE3& T_body_cam) {
   for (std::optional<SE3>& T : truth_)
     if (T) T = *T * T_body_cam;
   find_standing();
 }
 
-void JudgedRun::find_segments() {
+void RunWithTruth::find_segments() {
   std::map<int, int> number;
-  for (const ClaimedFrame& c : claims_)
+  for (const ReportedFrame& c : reported_)
     segment_.push_back(c.T_world_cam ? number.emplace(c.segment, int(number.size())).first->second : -1);
   segments_ = int(number.size());
 }
 
-void JudgedRun::carry_depths(int begin, int end, int step) {
+void RunWithTruth::carry_depths(int begin, int end, int step) {
   std::vector<double> last(size_t(segments_), std::numeric_limits<double>::quiet_NaN());
   for (int i = begin; i != end; i += step) {
     if (segment(i) < 0) continue;
     double& known = last[size_t(segment(i))];
-    if (claim(i).median_depth > 0) known = claim(i).median_depth;
+    if (reported(i).median_depth > 0) known = reported(i).median_depth;
     if (std::isnan(depth(i))) depth_[size_t(i)] = known;
   }
 }
 
-void JudgedRun::find_standing() {
+void RunWithTruth::find_standing() {
   std::vector<int> first(size_t(segments_), -1);
   stands_.assign(size_t(segments_), true);
   for (int i = 0; i < size(); ++i) {
@@ -85,7 +85,7 @@ struct FoundSteps {
   bool are_most_long = false;
 };
 
-FoundSteps find_steps(const JudgedRun& run, int stride) {
+FoundSteps find_steps(const RunWithTruth& run, int stride) {
   FoundSteps found;
   found.of_segment.resize(size_t(run.segments()));
   const double shortest = kStepSigmas * kOfTwo * run.noise().position_m;
@@ -106,7 +106,7 @@ FoundSteps find_steps(const JudgedRun& run, int stride) {
 
 }  // namespace
 
-StepScale::StepScale(const JudgedRun& run) {
+StepScale::StepScale(const RunWithTruth& run) {
   for (const int stride : kStrides) {
     FoundSteps found = find_steps(run, stride);
     stride_ = stride;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of the judgement as text, Markdown and JSON.
+// The figures of single frames as text, Markdown and JSON.
 #include <algorithm>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 
 namespace edgevo {
 namespace {
@@ -36,9 +38,9 @@ std::string nees_text(const std::optional<NeesFigures>& nees) {
 }
 
 Cells cells_of(const NamedFigures& row) {
-  const JudgementFigures& f = row.figures;
+  const FrameFigures& f = row.figures;
   return {row.name,
-          std::to_string(f.frames_judged),
+          std::to_string(f.frames_evaluated),
           std::to_string(f.wrong),
           number(f.recall_percent, 1),
           number(f.false_alarm_percent, 1),
@@ -49,13 +51,20 @@ Cells cells_of(const NamedFigures& row) {
           nees_text(f.nees)};
 }
 
+// Two digits, without an exponent.
+std::string rounded(double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, value < 99.5 ? "%.2g" : "%.0f", value);
+  return buffer;
+}
+
 template <class T>
 Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
 Json json_of(const NamedFigures& row) {
-  const JudgementFigures& f = row.figures;
+  const FrameFigures& f = row.figures;
   Json nees = nullptr;
   if (f.nees)
     nees = {{"frames", f.nees->frames},
@@ -65,7 +74,7 @@ Json json_of(const NamedFigures& row) {
   return {{"poses", row.name},
           {"runs", f.runs},
           {"frames", f.frames},
-          {"evaluated", f.frames_judged},
+          {"evaluated", f.frames_evaluated},
           {"below_noise", f.below_noise},
           {"wrong", f.wrong},
           {"noticed", f.noticed},
@@ -83,7 +92,7 @@ Json json_of(const NamedFigures& row) {
 
 }  // namespace
 
-std::string judgement_table(const std::vector<NamedFigures>& rows) {
+std::string frame_figures_table(const std::vector<NamedFigures>& rows) {
   std::vector<Cells> lines{titles()};
   for (const NamedFigures& row : rows) lines.push_back(cells_of(row));
   std::vector<size_t> width(titles().size(), 0);
@@ -100,7 +109,7 @@ std::string judgement_table(const std::vector<NamedFigures>& rows) {
   return text;
 }
 
-std::string judgement_markdown(const std::vector<NamedFigures>& rows) {
+std::string frame_figures_markdown(const std::vector<NamedFigures>& rows) {
   std::string text, rule;
   for (const std::string& title : titles()) text += "| " + title + " ", rule += "|---";
   text += "|\n" + rule + "|\n";
@@ -111,10 +120,25 @@ std::string judgement_markdown(const std::vector<NamedFigures>& rows) {
   return text;
 }
 
-std::string judgement_json(const std::vector<NamedFigures>& rows) {
+std::string frame_figures_json(const std::vector<NamedFigures>& rows) {
   Json out = Json::array();
   for (const NamedFigures& row : rows) out.push_back(json_of(row));
   return out.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string frame_section(const std::vector<NamedFigures>& rows, const TruthNoise& noise) {
+  const FrameFigures& first = rows.front().figures;
+  const std::string hidden = first.below_noise == 0 ? ""
+                                                    : ", which hides " + std::to_string(first.below_noise) +
+                                                          " of " + std::to_string(first.frames) + " frames";
+  return "\nsingle frames: the motion over the next ten; noise of the ground truth " +
+         rounded(1000 * noise.position_m) + " mm, " + rounded(deg(noise.rotation_rad)) + " deg" + hidden +
+         "\n" + frame_figures_table(rows);
+}
+
+std::vector<JsonMember> frame_members(const std::vector<NamedFigures>& rows, const TruthNoise& noise) {
+  const Json noise_json = {{"position_m", noise.position_m}, {"rotation_rad", noise.rotation_rad}};
+  return {{"truth_noise", noise_json.dump()}, {"single_frames", frame_figures_json(rows)}};
 }
 
 }  // namespace edgevo

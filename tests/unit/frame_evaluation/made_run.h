@@ -7,17 +7,17 @@
 #include <vector>
 
 #include "edgevo/core/random.h"
-#include "edgevo/evaluation/frame_judge.h"
-#include "synthetic.h"
+#include "edgevo/frame_evaluation/evaluate_frames.h"
+#include "support/synthetic_trajectory.h"
 
 namespace edgevo::test {
 
-/// A run as the program claims it, and the truth. The unit of the run is `kUnitsPerMetre`, the median depth
+/// A run as the program reported it, and the truth. The unit of the run is `kUnitsPerMetre`, the median depth
 /// 10 m: 2 % of it are 0.2 m.
 struct MadeRun {
   static constexpr double kUnitsPerMetre = 0.4;
   Trajectory truth;
-  std::vector<ClaimedFrame> claims;
+  std::vector<ReportedFrame> reported;
 };
 
 /// A run that is right in every frame and says so. `factor` multiplies the length of the step that follows a
@@ -33,23 +33,23 @@ inline MadeRun made_run(const Trajectory& truth, const std::function<double(int)
       const Eigen::Quaterniond more(Eigen::AngleAxisd(turn ? turn(i - 1) : 0, Eigen::Vector3d::UnitY()));
       pose = pose * SE3(more * step.rotation(), length * step.translation());
     }
-    ClaimedFrame claim;
-    claim.index = i, claim.time = truth.poses[size_t(i)].time, claim.state = TrackingState::kTracking;
-    claim.segment = 0, claim.median_depth = 10 * MadeRun::kUnitsPerMetre, claim.T_world_cam = pose;
-    made.claims.push_back(claim);
+    ReportedFrame frame;
+    frame.index = i, frame.time = truth.poses[size_t(i)].time, frame.state = TrackingState::kTracking;
+    frame.segment = 0, frame.median_depth = 10 * MadeRun::kUnitsPerMetre, frame.T_world_cam = pose;
+    made.reported.push_back(frame);
   }
   return made;
 }
 
-inline int wrong_frames(const RunJudgement& judgement) {
+inline int wrong_frames(const FrameEvaluation& evaluation) {
   int count = 0;
-  for (const FrameVerdict& v : judgement.frames) count += v.is_judged && v.wrong;
+  for (const FrameError& frame : evaluation.frames) count += frame.is_evaluated && frame.wrong;
   return count;
 }
 
-inline int judged_frames(const RunJudgement& judgement) {
+inline int evaluated_frames(const FrameEvaluation& evaluation) {
   int count = 0;
-  for (const FrameVerdict& v : judgement.frames) count += v.is_judged;
+  for (const FrameError& frame : evaluation.frames) count += frame.is_evaluated;
   return count;
 }
 

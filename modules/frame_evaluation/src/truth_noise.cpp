@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/evaluation/truth_noise.h"
+#include "edgevo/frame_evaluation/truth_noise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 // program say so?
 //
 //   const Trajectory truth = read_trajectory("groundtruth_tum.txt");
-//   const RunJudgement live = judge_frames(read_claims("out", PoseSource::kLive), truth);
-//   for (const FrameVerdict& v : live.frames) if (v.is_judged && v.wrong && !v.noticed) ...
+//   const FrameEvaluation live = evaluate_frames(read_reported_frames("out", PoseSource::kLive), truth);
+//   for (const FrameError& v : live.frames) if (v.is_evaluated && v.wrong && !v.noticed) ...
 //
 // WRONG: the motion over the next ten frames misses the true one by more than 25 % of its length and by more
 // than 2 % of the map's median depth, or by more than 3 degrees.
@@ -27,8 +27,8 @@
 // Ends. A motion ends with the last frame among the next ten that has a pose in the same segment, and truth.
 // If that is less than five frames ahead it is not evaluated. So what comes just before a loss is evaluated
 // as far as it goes; a motion across the border of two segments is not, since the program itself calls that
-// joint a guess. A gap within a segment (lost and relocalised) is bridged: the program claims to be where it
-// was.
+// joint a guess. A gap within a segment (lost and relocalised) is bridged: the program reported to be where
+// it was.
 //
 // Not evaluated either: frames without a pose or in state BOOTSTRAPPING, whose pose came afterwards; frames
 // without truth; frames whose depth is unknown throughout the segment; and frames where the noise of the
@@ -42,14 +42,14 @@
 #include <vector>
 
 #include "edgevo/core/doubtful_frame.h"
-#include "edgevo/evaluation/claimed_frame.h"
 #include "edgevo/evaluation/trajectory.h"
-#include "edgevo/evaluation/truth_noise.h"
+#include "edgevo/frame_evaluation/reported_frame.h"
+#include "edgevo/frame_evaluation/truth_noise.h"
 
 namespace edgevo {
 
-/// Bounds of the judgement.
-struct JudgementRules {
+/// Bounds beyond which a motion is wrong, and what it is measured in.
+struct FrameEvaluationOptions {
   /// Length of the motion that is evaluated, and time to notice, input frames.
   int ahead_frames = 10;
   /// Shortest piece of such a motion that is evaluated, input frames.
@@ -71,12 +71,12 @@ struct JudgementRules {
 };
 
 /// Result for the motion that begins at one input frame. NaN: unknown.
-struct FrameVerdict {
+struct FrameError {
   /// Value of an unknown number.
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   /// Whether the frame can be evaluated; if not, `wrong`, `noticed` and `aftermath` are false.
-  bool is_judged = false;
+  bool is_evaluated = false;
   /// Whether it cannot be for the noise of the truth alone.
   bool below_noise = false;
   /// Whether the motion is wrong.
@@ -100,7 +100,7 @@ struct FrameVerdict {
   double units_per_m = kUnknown;
   /// Scale of the motion over that of the frames before: 1: right, 0.4: the steps have shrunk.
   double scale_ratio = kUnknown;
-  /// Whether the local scale is off since the last word of the program (RunJudgement::longest_off_scale).
+  /// Whether the local scale is off since the last word of the program (FrameEvaluation::longest_off_scale).
   bool off_scale = false;
   /// Lowest p_right from the frame to ten frames on, by which it ranks for the ROC. Where p_right is unknown
   /// the state counts: TRACKING 1, DEGRADED 0.5, else 0.
@@ -111,9 +111,9 @@ struct FrameVerdict {
 };
 
 /// Results for the frames of a run.
-struct RunJudgement {
+struct FrameEvaluation {
   /// One for each input frame.
-  std::vector<FrameVerdict> frames;
+  std::vector<FrameError> frames;
   /// Noise of the truth.
   TruthNoise noise;
   /// Camera on the body that the truth describes; the identity if that is the camera.
@@ -122,8 +122,8 @@ struct RunJudgement {
   /// evaluated neither count nor end it.
   int longest_unnoticed = 0;
   /// Longest interval without a word whose local scale (over the next ten frames) differs by more than
-  /// JudgementRules::scale_factor from that of the fifty steps after the last word of the program, or after
-  /// the segment's beginning. This finds a scale that creeps, which the fifty frames before hide.
+  /// FrameEvaluationOptions::scale_factor from that of the fifty steps after the last word of the program, or
+  /// after the segment's beginning. This finds a scale that creeps, which the fifty frames before hide.
   int longest_off_scale = 0;
   /// Squared errors of the poses relative to their reference keyframes, normalised by their covariance plus
   /// the noise of the truth (NEES); expected 6. One for each frame with a covariance and truth, in the scale
@@ -137,7 +137,7 @@ struct RunJudgement {
 
 /// Evaluates the frames of a run. `truth` is in metres, with times of the same clock. Deterministic; cost:
 /// linear, times 50.
-RunJudgement judge_frames(const std::vector<ClaimedFrame>& claims, const Trajectory& truth,
-                          const JudgementRules& rules = {});
+FrameEvaluation evaluate_frames(const std::vector<ReportedFrame>& reported, const Trajectory& truth,
+                                const FrameEvaluationOptions& options = {});
 
 }  // namespace edgevo

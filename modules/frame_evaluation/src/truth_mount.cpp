@@ -47,7 +47,7 @@ std::vector<double> errors_of(const std::vector<Motion>& motions, const SE3& T_b
   return errors;
 }
 
-std::vector<Motion> motions_of(const JudgedRun& run, const StepScale& scales, int ahead, int scale_steps,
+std::vector<Motion> motions_of(const RunWithTruth& run, const StepScale& scales, int ahead, int scale_steps,
                                int fewest_steps) {
   std::vector<Motion> motions;
   for (int i = 0; i + ahead < run.size(); ++i) {
@@ -99,7 +99,8 @@ Eigen::Vector3d fit_arm(const std::vector<Motion>& motions, const std::vector<do
 
 }  // namespace
 
-SE3 truth_mount(const JudgedRun& run, const StepScale& scales, int ahead, int scale_steps, int fewest_steps) {
+SE3 truth_mount(const RunWithTruth& run, const StepScale& scales, int ahead, int scale_steps,
+                int fewest_steps) {
   const std::vector<Motion> motions = motions_of(run, scales, ahead, scale_steps, fewest_steps);
   if (motions.size() < kMinMotions) return {};
   std::vector<double> lengths;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Association of estimated poses with ground truth and with input frames.
+// Which estimated poses, true poses and input frames belong together: those of the same time.
 //
 // Ground truth may have a rate of its own (motion capture at 100 Hz under images at 30 Hz), so it is
 // interpolated to the estimate's times: positions linearly, rotations by slerp. Outside its span, or in a
@@ -68,14 +68,14 @@ struct MatchedPose {
 struct EvaluatedFrame {
   /// True pose at the time of the estimated pose if there is one, else at the time of the frame.
   std::optional<SE3> T_gt;
-  /// Index into Association::matches; -1: no pose, or no ground truth for it.
+  /// Index into TimeMatches::matches; -1: no pose, or no ground truth for it.
   int match = -1;
   /// Whether the estimate has a pose for the frame, with or without ground truth.
   bool has_pose = false;
 };
 
 /// The estimate with its ground truth, by pose and by input frame.
-struct Association {
+struct TimeMatches {
   /// Matched poses in time order.
   std::vector<MatchedPose> matches;
   /// One entry for each input frame.
@@ -85,6 +85,7 @@ struct Association {
 };
 
 /// Matches `estimate` with `ground_truth`. Throws InputError if there are fewer than three matches.
-Association associate(const Trajectory& estimate, const Trajectory& ground_truth, const InputFrames& input);
+TimeMatches match_by_time(const Trajectory& estimate, const Trajectory& ground_truth,
+                          const InputFrames& input);
 
 }  // namespace edgevo

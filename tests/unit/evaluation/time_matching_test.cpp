@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/evaluation/association.h"
+#include "edgevo/evaluation/time_matching.h"
 
 #include <gmock/gmock.h>
 
+#include "support/synthetic_trajectory.h"
 #include "support/temp_folder.h"
-#include "synthetic.h"
 
 namespace edgevo {
 namespace {
@@ -61,7 +61,7 @@ TEST(Associate, MatchesAnEstimateOfAnotherRate) {
   const Trajectory dense = test::straight_drive(101, 0.1);  // 10 Hz, 0.1 m a step
   Trajectory estimate{"est.txt", TrajectoryFormat::kTum, {}};
   for (int i = 0; i < 20; ++i) estimate.poses.push_back({at(0.33 * i), SE3()});
-  const Association a = associate(estimate, dense, test::frames_of(estimate));
+  const TimeMatches a = match_by_time(estimate, dense, test::frames_of(estimate));
   ASSERT_EQ(a.matches.size(), 20u);
   for (int i = 0; i < 20; ++i) {
     EXPECT_NEAR(a.matches[size_t(i)].T_gt.translation().z(), 0.33 * i, 1e-9);
@@ -73,7 +73,7 @@ TEST(Associate, KeepsFramesWithoutPoseAndPosesWithoutGroundTruth) {
   const Trajectory truth = test::straight_drive(10);
   Trajectory estimate = test::straight_drive(12);
   estimate.poses.erase(estimate.poses.begin() + 4);
-  const Association a = associate(estimate, truth, test::frames_of(test::straight_drive(12)));
+  const TimeMatches a = match_by_time(estimate, truth, test::frames_of(test::straight_drive(12)));
   EXPECT_EQ(a.matches.size(), 9u);
   EXPECT_EQ(a.without_ground_truth, 2);
   ASSERT_EQ(a.frames.size(), 12u);
@@ -89,7 +89,7 @@ TEST(Associate, TooFewMatchesIsAnInputError) {
   Trajectory late = test::straight_drive(10);
   for (StampedPose& p : late.poses) p.time.ticks += 100 * Timestamp::kTicksPerSecond;
   const std::string error =
-      input_error_of([&] { associate(late, test::straight_drive(10), test::frames_of(late)); });
+      input_error_of([&] { match_by_time(late, test::straight_drive(10), test::frames_of(late)); });
   EXPECT_THAT(error, HasSubstr("only 0 of its 10 poses"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run said about each of its frames, to compare it with the truth (frame_judge.h): from a Run in
+// What a run said about each of its frames, to compare it with the truth (evaluate_frames.h): from a Run in
 // memory, or from the folder of a run (frames.csv with its trajectories).
 #include <limits>
 #include <optional>
@@ -20,7 +20,7 @@ enum class PoseSource {
 };
 
 /// One input frame and what the run said about it.
-struct ClaimedFrame {
+struct ReportedFrame {
   /// Index in the source.
   int index = 0;
   /// Time of exposure.
@@ -41,12 +41,12 @@ struct ClaimedFrame {
   int reference = -1;
 };
 
-/// The claims of a run, one for each input frame.
-std::vector<ClaimedFrame> claims_of(const Run& run, PoseSource poses);
+/// The reports of a run, one for each input frame.
+std::vector<ReportedFrame> reported_frames(const Run& run, PoseSource poses);
 
-/// The claims in the folder of a run: `frames.csv` with `trajectory_live_tum.txt` or `trajectory_tum.txt`,
+/// The reports in the folder of a run: `frames.csv` with `trajectory_live_tum.txt` or `trajectory_tum.txt`,
 /// and `covariances.csv` if there is one. Columns are found by their names; `p_right` and `median_depth` may
 /// be missing (unknown then). Throws InputError for a file that is missing or broken. Cost: linear.
-std::vector<ClaimedFrame> read_claims(const std::string& folder, PoseSource poses);
+std::vector<ReportedFrame> read_reported_frames(const std::string& folder, PoseSource poses);
 
 }  // namespace edgevo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 
 #include <algorithm>
 #include <array>
@@ -22,14 +22,14 @@ std::optional<double> percent(int part, int whole) {
   return whole > 0 ? std::optional(100.0 * part / whole) : std::nullopt;
 }
 
-void count(const RunJudgement& run, JudgementFigures* f) {
+void count(const FrameEvaluation& run, FrameFigures* f) {
   ++f->runs;
   f->frames += int(run.frames.size());
-  for (const FrameVerdict& v : run.frames) {
-    f->frames_judged += v.is_judged, f->below_noise += v.below_noise;
-    if (!v.is_judged || v.aftermath) continue;
-    f->wrong += v.wrong, f->noticed += v.noticed;
-    f->right += !v.wrong, f->false_alarms += !v.wrong && v.alarm;
+  for (const FrameError& frame : run.frames) {
+    f->frames_evaluated += frame.is_evaluated, f->below_noise += frame.below_noise;
+    if (!frame.is_evaluated || frame.aftermath) continue;
+    f->wrong += frame.wrong, f->noticed += frame.noticed;
+    f->right += !frame.wrong, f->false_alarms += !frame.wrong && frame.alarm;
   }
   f->longest_unnoticed = std::max(f->longest_unnoticed, run.longest_unnoticed);
   f->longest_off_scale = std::max(f->longest_off_scale, run.longest_off_scale);
@@ -51,17 +51,17 @@ std::optional<double> roc_of(std::vector<Scored> scored) {
   return wrong_below > 0 && right > 0 ? std::optional(area / wrong_below / right) : std::nullopt;
 }
 
-std::optional<double> calibration_error(const std::vector<RunJudgement>& runs) {
+std::optional<double> calibration_error(const std::vector<FrameEvaluation>& runs) {
   struct Bin {
     double p = 0, right = 0;
   };
   std::array<Bin, kCalibrationBins> bins;
   int total = 0;
-  for (const RunJudgement& run : runs)
-    for (const FrameVerdict& v : run.frames) {
-      if (!v.is_judged || std::isnan(v.p_end)) continue;
-      Bin& bin = bins[size_t(std::clamp(int(v.p_end * kCalibrationBins), 0, kCalibrationBins - 1))];
-      bin.p += v.p_end, bin.right += !v.wrong;
+  for (const FrameEvaluation& run : runs)
+    for (const FrameError& frame : run.frames) {
+      if (!frame.is_evaluated || std::isnan(frame.p_end)) continue;
+      Bin& bin = bins[size_t(std::clamp(int(frame.p_end * kCalibrationBins), 0, kCalibrationBins - 1))];
+      bin.p += frame.p_end, bin.right += !frame.wrong;
       ++total;
     }
   double error = 0;
@@ -69,22 +69,22 @@ std::optional<double> calibration_error(const std::vector<RunJudgement>& runs) {
   return total > 0 ? std::optional(error / total) : std::nullopt;
 }
 
-std::optional<NeesFigures> nees_of(const std::vector<RunJudgement>& runs) {
+std::optional<NeesFigures> nees_of(const std::vector<FrameEvaluation>& runs) {
   std::vector<double> all;
-  for (const RunJudgement& run : runs) all.insert(all.end(), run.nees.begin(), run.nees.end());
+  for (const FrameEvaluation& run : runs) all.insert(all.end(), run.nees.begin(), run.nees.end());
   if (all.empty()) return std::nullopt;
   return NeesFigures{int(all.size()), quantile(all, 0.05), quantile(all, 0.5), quantile(all, 0.95)};
 }
 
 }  // namespace
 
-JudgementFigures figures_of(const std::vector<RunJudgement>& runs) {
-  JudgementFigures f;
+FrameFigures figures_of(const std::vector<FrameEvaluation>& runs) {
+  FrameFigures f;
   std::vector<Scored> scored;
-  for (const RunJudgement& run : runs) {
+  for (const FrameEvaluation& run : runs) {
     count(run, &f);
-    for (const FrameVerdict& v : run.frames)
-      if (v.is_judged && !v.aftermath) scored.push_back({v.score, v.wrong});
+    for (const FrameError& frame : run.frames)
+      if (frame.is_evaluated && !frame.aftermath) scored.push_back({frame.score, frame.wrong});
   }
   f.recall_percent = percent(f.noticed, f.wrong);
   f.false_alarm_percent = percent(f.false_alarms, f.right);
@@ -96,21 +96,25 @@ JudgementFigures figures_of(const std::vector<RunJudgement>& runs) {
 
 namespace {
 
-RunJudgements both(const std::vector<ClaimedFrame>& live, const std::vector<ClaimedFrame>& final,
-                   const Trajectory& truth, const JudgementRules& rules) {
-  RunJudgements j{judge_frames(live, truth, rules), judge_frames(final, truth, rules)};
+FrameEvaluations both(const std::vector<ReportedFrame>& live, const std::vector<ReportedFrame>& final,
+                      const Trajectory& truth, const FrameEvaluationOptions& options) {
+  FrameEvaluations j{evaluate_frames(live, truth, options), evaluate_frames(final, truth, options)};
   j.live.nees = j.final.nees;
   return j;
 }
 
 }  // namespace
 
-RunJudgements judge_run(const Run& run, const Trajectory& truth, const JudgementRules& rules) {
-  return both(claims_of(run, PoseSource::kLive), claims_of(run, PoseSource::kFinal), truth, rules);
+FrameEvaluations evaluate_frames_of(const Run& run, const Trajectory& truth,
+                                    const FrameEvaluationOptions& options) {
+  return both(reported_frames(run, PoseSource::kLive), reported_frames(run, PoseSource::kFinal), truth,
+              options);
 }
 
-RunJudgements judge_folder(const std::string& folder, const Trajectory& truth, const JudgementRules& rules) {
-  return both(read_claims(folder, PoseSource::kLive), read_claims(folder, PoseSource::kFinal), truth, rules);
+FrameEvaluations evaluate_frames_in(const std::string& folder, const Trajectory& truth,
+                                    const FrameEvaluationOptions& options) {
+  return both(read_reported_frames(folder, PoseSource::kLive),
+              read_reported_frames(folder, PoseSource::kFinal), truth, options);
 }
 
 }  // namespace edgevo

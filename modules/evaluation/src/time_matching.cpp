@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/evaluation/association.h"
+#include "edgevo/evaluation/time_matching.h"
 
 #include <algorithm>
 
@@ -44,9 +44,10 @@ std::optional<SE3> GroundTruth::at(Timestamp time) const {
   return interpolate(*before, *after, time);
 }
 
-Association associate(const Trajectory& estimate, const Trajectory& ground_truth, const InputFrames& input) {
+TimeMatches match_by_time(const Trajectory& estimate, const Trajectory& ground_truth,
+                          const InputFrames& input) {
   const GroundTruth truth(ground_truth);
-  Association result;
+  TimeMatches result;
   result.frames.resize(input.times.size());
   const int64_t reach = median_step_ticks(input.times) / 2 + kEndToleranceTicks;
   for (const StampedPose& pose : estimate.poses) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A run next to its truth, and the scale between the two along the run, for frame_judge.cpp.
+// A run next to its truth, and the scale between the two along the run, for evaluate_frames.cpp.
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "edgevo/evaluation/claimed_frame.h"
-#include "edgevo/evaluation/truth_noise.h"
+#include "edgevo/frame_evaluation/reported_frame.h"
+#include "edgevo/frame_evaluation/truth_noise.h"
 
 namespace edgevo {
 
@@ -17,24 +17,24 @@ constexpr double kNoiseSigmas = 3;
 const double kOfTwo = std::sqrt(2.0);
 
 /// The frames of a run with their true poses.
-class JudgedRun {
+class RunWithTruth {
  public:
-  /// Keeps a reference to `claims`. `stated`: JudgementRules::stated_noise.
-  JudgedRun(const std::vector<ClaimedFrame>& claims, const Trajectory& truth, const TruthNoise& stated);
+  /// Keeps a reference to `reported`. `stated`: FrameEvaluationOptions::stated_noise.
+  RunWithTruth(const std::vector<ReportedFrame>& reported, const Trajectory& truth, const TruthNoise& stated);
 
   /// Takes the truth for that of a body on which the camera is mounted (truth_mount.h): from now on the true
   /// poses are those of the camera.
   void set_mount(const SE3& T_body_cam);
-  int size() const { return int(claims_.size()); }
+  int size() const { return int(reported_.size()); }
   const TruthNoise& noise() const { return noise_; }
-  const ClaimedFrame& claim(int i) const { return claims_[size_t(i)]; }
+  const ReportedFrame& reported(int i) const { return reported_[size_t(i)]; }
   /// Number of segments with a pose; segment of a frame, from 0, or -1 for a frame without a pose.
   int segments() const { return segments_; }
   int segment(int i) const { return segment_[size_t(i)]; }
   /// Whether the frame has a pose and a true pose.
   bool is_comparable(int i) const { return segment(i) >= 0 && truth_[size_t(i)]; }
   /// Poses of a comparable frame.
-  const SE3& pose(int i) const { return *claim(i).T_world_cam; }
+  const SE3& pose(int i) const { return *reported(i).T_world_cam; }
   const SE3& true_pose(int i) const { return *truth_[size_t(i)]; }
   /// Motion from frame i to frame k, both comparable: T_i_k, in the unit of the run, and true.
   SE3 motion(int i, int k) const { return pose(i).inverse() * pose(k); }
@@ -51,7 +51,7 @@ class JudgedRun {
   void carry_depths(int begin, int end, int step);
   void find_standing();
 
-  const std::vector<ClaimedFrame>& claims_;
+  const std::vector<ReportedFrame>& reported_;
   TruthNoise shown_noise_, noise_;
   std::vector<std::optional<SE3>> truth_;
   std::vector<int> segment_;
@@ -73,7 +73,7 @@ struct ScaleStep {
 /// fifth or tenth.
 class StepScale {
  public:
-  explicit StepScale(const JudgedRun& run);
+  explicit StepScale(const RunWithTruth& run);
 
   /// Scale of the steps of a segment within the frames begin to end; nothing if there are fewer than `fewest`
   /// (or than fit) or the run stands.
