@@ -9,6 +9,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/thread_priority.h"
+#include "edgevo/datasets/describe.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/results/run_outputs.h"
