@@ -5,7 +5,7 @@
 
 #include "edgevo/core/output_file.h"
 
-namespace edgevo::app {
+namespace edgevo {
 
 /// The file of --trace.
 class TraceFile {
@@ -21,4 +21,4 @@ class TraceFile {
   std::optional<OutputFile> file_;
 };
 
-}  // namespace edgevo::app
+}  // namespace edgevo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "auto_camera.h"
+#include "edgevo/calibration/auto_camera.h"
 
 #include <unistd.h>
 
@@ -11,9 +11,8 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/camera_file.h"
-#include "signals.h"
 
-namespace edgevo::app {
+namespace edgevo {
 namespace {
 
 // Name of a new, empty file.
@@ -53,7 +52,9 @@ InputDecision assumed_decision(const MotionCalibration& c, bool by_exif) {
 
 }  // namespace
 
-AutoCamera::AutoCamera(SourceOptions* source, uint64_t seed, bool quiet) {
+AutoCamera::AutoCamera(SourceOptions* source, uint64_t seed,
+                       const std::function<void(const std::string&)>& log,
+                       const std::function<bool()>& stop) {
   const std::string where = source->path;
   if (where.rfind("camera:", 0) == 0)
     throw InputError("--camera auto", "needs a recording; " + where + " cannot be played again",
@@ -64,11 +65,8 @@ AutoCamera::AutoCamera(SourceOptions* source, uint64_t seed, bool quiet) {
   MotionCalibrationOptions options;
   options.focal_px = focal_length_by_exif(*open_source(images));
   options.seed = seed;
-  options.stop = interrupted;
-  if (!quiet)
-    options.log = [&](const std::string& line) {
-      std::fprintf(stderr, "edgevo: %s: camera, %s\n", where.c_str(), line.c_str());
-    };
+  options.stop = stop;
+  options.log = log;
   const MotionCalibration c = camera_from_motion([&] { return open_source(images); }, where, options);
   const bool found = c.problem.empty();
   decision_ = found ? found_decision(c) : assumed_decision(c, options.focal_px > 0);
@@ -81,4 +79,4 @@ AutoCamera::AutoCamera(SourceOptions* source, uint64_t seed, bool quiet) {
 
 AutoCamera::~AutoCamera() { std::remove(path_.c_str()); }
 
-}  // namespace edgevo::app
+}  // namespace edgevo

@@ -6,7 +6,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/trace.h"
 
-namespace edgevo::app {
+namespace edgevo {
 
 TraceFile::TraceFile(const std::string& path) {
   if (path.empty()) return;
@@ -33,4 +33,4 @@ void TraceFile::close() {
   file_.reset();
 }
 
-}  // namespace edgevo::app
+}  // namespace edgevo
