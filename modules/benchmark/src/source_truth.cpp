@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "source_truth.h"
+#include "edgevo/benchmark/source_truth.h"
 
 #include <filesystem>
 
@@ -7,7 +7,7 @@
 #include "edgevo/datasets/ground_truth.h"
 #include "edgevo/datasets/source_folder.h"
 
-namespace edgevo::app {
+namespace edgevo {
 namespace {
 
 // The remark of the source on its ground truth, if there is one.
@@ -36,4 +36,4 @@ Trajectory source_truth(const std::string& path) {
   return truth;
 }
 
-}  // namespace edgevo::app
+}  // namespace edgevo

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval_runs.h"
+#include "edgevo/benchmark/evaluated_runs.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
 
+#include "edgevo/benchmark/source_truth.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/results/finished_run.h"
 #include "edgevo/simulation/relight.h"
 
-namespace edgevo::app {
+namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,10 +67,9 @@ std::optional<bool> has_changed_light(const std::string& run) {
 
 class RunReader {
  public:
-  RunReader(std::string truth, const TruthNoise& stated_noise,
-            std::function<Trajectory(const std::string&)> read)
-      : truth_(std::move(truth)), read_(std::move(read)) {
-    options_.stated_noise = stated_noise;
+  RunReader(std::string truth, const RunEvaluationRequest& request)
+      : truth_(std::move(truth)), reading_(request.truth_reading) {
+    options_.stated_noise = request.stated_noise;
   }
 
   const Trajectory& truth_of(const std::string& run) {
@@ -79,7 +78,10 @@ class RunReader {
       throw InputError(run, "its ground truth is not known, or no longer there",
                        "give the ground truth as the last path");
     const auto known = known_.find(path);
-    return known != known_.end() ? known->second : known_.emplace(path, read_(path)).first->second;
+    if (known != known_.end()) return known->second;
+    Trajectory truth = source_truth(path);
+    reread(reading_, &truth);
+    return known_.emplace(path, std::move(truth)).first->second;
   }
 
   FrameEvaluations read(const std::string& run) {
@@ -94,26 +96,23 @@ class RunReader {
  private:
   std::string truth_;
   FrameEvaluationOptions options_;
-  std::function<Trajectory(const std::string&)> read_;
+  TrajectoryReading reading_;
   std::map<std::string, Trajectory> known_;
 };
 
-void print(const std::string& text) { std::fputs(text.c_str(), stdout); }
-
-void eval_one(const std::string& run, const EvaluationOptions& options, bool json, RunReader* reader) {
+std::string evaluate_one(const std::string& run, const RunEvaluationRequest& request, RunReader* reader) {
   const std::string trajectory = (fs::path(run) / "trajectory_tum.txt").string();
   const Trajectory estimate = read_trajectory(trajectory), &truth = reader->truth_of(run);
-  const TrajectoryEvaluation e = evaluate(estimate, truth, options);
-  for (const std::string& hint : alignment_hints(estimate, truth))
-    std::fprintf(stderr, "HINT: %s\n", hint.c_str());
+  const TrajectoryEvaluation e = evaluate(estimate, truth, request.options);
+  for (const std::string& hint : alignment_hints(estimate, truth)) request.on_hint(hint);
   const FrameEvaluations found = reader->read(run);
   const std::vector<NamedFigures> rows{{"live", figures_of({found.live})},
                                        {"final", figures_of({found.final})}};
   const TruthNoise& noise = found.live.noise;
-  print(json ? to_json(e, frame_members(rows, noise)) : to_table(e) + frame_section(rows, noise));
+  return request.json ? to_json(e, frame_members(rows, noise)) : to_table(e) + frame_section(rows, noise);
 }
 
-void eval_many(const std::vector<std::string>& runs, bool json, RunReader* reader) {
+std::string evaluate_many(const std::vector<std::string>& runs, bool json, RunReader* reader) {
   std::vector<NamedFigures> rows;
   std::vector<FrameEvaluation> all, normal, changed;
   for (const std::string& run : runs) {
@@ -127,25 +126,16 @@ void eval_many(const std::vector<std::string>& runs, bool json, RunReader* reade
     rows.push_back({"normal light", figures_of(normal)});
     rows.push_back({"changed light", figures_of(changed)});
   }
-  print(json ? frame_figures_json(rows) + "\n" : frame_figures_table(rows));
+  return json ? frame_figures_json(rows) + "\n" : frame_figures_table(rows);
 }
 
 }  // namespace
 
-int eval_runs(const std::vector<std::string>& paths, const EvaluationOptions& options,
-              const TruthNoise& stated_noise, bool json, const TrajectoryReading& truth_reading,
-              const std::function<Trajectory(const std::string& path)>& read_truth) {
-  const RunsAndTruth given = sort_out(paths);
-  RunReader reader(given.truth, stated_noise, [&](const std::string& path) {
-    Trajectory truth = read_truth(path);
-    reread(truth_reading, &truth);
-    return truth;
-  });
-  if (given.runs.size() == 1)
-    eval_one(given.runs.front(), options, json, &reader);
-  else
-    eval_many(given.runs, json, &reader);
-  return 0;
+std::string evaluate_runs(const RunEvaluationRequest& request) {
+  const RunsAndTruth given = sort_out(request.paths);
+  RunReader reader(given.truth, request);
+  if (given.runs.size() == 1) return evaluate_one(given.runs.front(), request, &reader);
+  return evaluate_many(given.runs, request.json, &reader);
 }
 
-}  // namespace edgevo::app
+}  // namespace edgevo

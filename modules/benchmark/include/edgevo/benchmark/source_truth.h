@@ -4,9 +4,9 @@
 
 #include "edgevo/evaluation/trajectory.h"
 
-namespace edgevo::app {
+namespace edgevo {
 
 /// Ground truth of the data set folder or trajectory file at `path`. Throws InputError if there is none.
 Trajectory source_truth(const std::string& path);
 
-}  // namespace edgevo::app
+}  // namespace edgevo
