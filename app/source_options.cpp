@@ -115,9 +115,9 @@ void print_decisions(const std::string& path, const std::vector<InputDecision>& 
   print_lines(decision_lines(path, decisions));
 }
 
-std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet) {
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options) {
   auto source = open_source(options);
-  if (!quiet) print_lines(opening_lines(options.path, *source));
+  print_lines(opening_lines(options.path, *source));
   return source;
 }
 

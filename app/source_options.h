@@ -30,6 +30,6 @@ void print_lines(const std::vector<std::string>& lines);
 void print_decisions(const std::string& path, const std::vector<InputDecision>& decisions);
 
 /// Calls open_source() and prints the notices to stderr, one line each.
-std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet = false);
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options);
 
 }  // namespace edgevo::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/results/rawlog_output.h"
+#include "edgevo/sequence_output/rawlog_output.h"
 
 #include <filesystem>
 
