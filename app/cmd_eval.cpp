@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands.h"
+#include "edgevo/benchmark/evaluated_runs.h"
 #include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
@@ -48,6 +49,8 @@ TrajectoryEvaluation evaluate_or_explain(const Trajectory& estimate, const Traje
   }
 }
 
+void print_hint(const std::string& hint) { std::fprintf(stderr, "HINT: %s\n", hint.c_str()); }
+
 bool is_run(const std::string& path) {
   std::error_code ignored;
   return std::filesystem::is_directory(path, ignored);
@@ -57,16 +60,21 @@ int eval_folders(const EvalArguments& args, const EvaluationOptions& options, co
   if (args.reading.t_offset_s != 0 || args.reading.w_first || args.reading.inverse)
     throw InputError(args.trajectory, "is the folder of a run, whose trajectory needs no other reading",
                      "omit --t-offset, --quaternion and --inverse; --truth-... are for the ground truth");
-  std::vector<std::string> paths{args.trajectory};
-  if (!args.ground_truth.empty()) paths.push_back(args.ground_truth);
-  paths.insert(paths.end(), args.more_runs.begin(), args.more_runs.end());
-  return eval_runs(paths, options, args.json, args.truth_reading);
+  RunEvaluationRequest request;
+  request.paths = {args.trajectory};
+  if (!args.ground_truth.empty()) request.paths.push_back(args.ground_truth);
+  request.paths.insert(request.paths.end(), args.more_runs.begin(), args.more_runs.end());
+  request.options = options;
+  request.stated_noise = {args.truth_sigma_m, rad(args.truth_sigma_deg)};
+  request.json = args.json;
+  request.truth_reading = args.truth_reading;
+  request.on_hint = print_hint;
+  return eval_runs(request);
 }
 
 int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
-  options.stated_noise = {args.truth_sigma_m, rad(args.truth_sigma_deg)};
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
   if (args.truth_sigma_m > 0 || args.truth_sigma_deg > 0)
     throw InputError(args.trajectory, "is no folder of a run: --truth-sigma-... is for its single frames",
@@ -82,8 +90,7 @@ int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const 
   reread(args.truth_reading, &truth);
   reread(args.reading, &estimate);
   const TrajectoryEvaluation e = evaluate_or_explain(estimate, truth, options, args.reading.t_offset_s);
-  for (const std::string& hint : alignment_hints(estimate, truth, args.reading.t_offset_s))
-    std::fprintf(stderr, "HINT: %s\n", hint.c_str());
+  for (const std::string& hint : alignment_hints(estimate, truth, args.reading.t_offset_s)) print_hint(hint);
   std::fputs((args.json ? to_json(e) : to_table(e)).c_str(), stdout);
   return 0;
 }

@@ -6,8 +6,8 @@
 #include "edgevo/core/error.h"
 #include "edgevo/results/recover_run.h"
 #include "edgevo/results/recovery_log.h"
+#include "edgevo/run_quality/closing_lines.h"
 #include "option_checks.h"
-#include "print_run.h"
 
 namespace edgevo::app {
 namespace {
@@ -16,7 +16,8 @@ int finish(const std::string& out, const RecoveryOptions& options) {
   const RecoveredRun recovered = recover_run(out, options);
   const Run& run = recovered.run;
   if (!recovered.map_note.empty()) std::fprintf(stderr, "%s\n", recovered.map_note.c_str());
-  print_run(run, out, options.include_doubtful);
+  for (const ClosingLine& line : closing_lines(run, out, options.include_doubtful))
+    std::fprintf(line.is_warning ? stderr : stdout, "%s\n", line.text.c_str());
   if (recovered.is_damaged)
     throw InputError(
         out,
@@ -26,7 +27,10 @@ int finish(const std::string& out, const RecoveryOptions& options) {
             ") is kept; restore it from a copy and finish again, or run the sequence again with --force");
   if (!run.scale.problem.empty())
     throw InputError(out, "the results are in an arbitrary unit", run.scale.problem);
-  return print_failure(run, out);
+  constexpr int kDone = 0, kMostlyFailed = 3;
+  const std::optional<std::string> failure = failure_statement(run, out);
+  if (failure) std::fprintf(stderr, "edgevo: %s\n", failure->c_str());
+  return failure ? kMostlyFailed : kDone;
 }
 
 }  // namespace

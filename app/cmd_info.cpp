@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
-#include "edgevo/core/bad_frame.h"
+#include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/describe.h"
 #include "progress.h"
@@ -18,25 +17,15 @@ void print(const std::string& name, const std::string& value) {
   std::printf("%-18s %s\n", name.c_str(), value.c_str());
 }
 
-// The frames that a run would skip. A source that cannot go on after a fault throws it.
-std::vector<std::string> find_bad_frames(ImageSource& source, int* frames) {
-  std::vector<std::string> bad;
-  Progress progress("checking", source.size());
-  for (bool more = true; more;) {
-    try {
-      more = source.next().has_value();
-    } catch (const BadFrame& e) {
-      bad.emplace_back(e.what());
-    }
-    if (more) progress.update(++*frames);
-  }
-  return bad;
-}
-
 void check_every_frame(const std::string& path, ImageSource& source) {
   constexpr size_t kMaxShown = 10;
   int frames = 0;
-  const std::vector<std::string> bad = find_bad_frames(source, &frames);
+  std::vector<std::string> bad;
+  {
+    Progress progress("checking", source.size());
+    bad = find_bad_frames(
+        source, [&](int done) { progress.update(done); }, &frames);
+  }
   if (bad.empty())
     return print("check", "all " + std::to_string(frames) + " images decode, sizes and times are right");
   for (size_t i = 0; i < std::min(kMaxShown, bad.size()); ++i) print("BAD", bad[i]);
@@ -44,16 +33,6 @@ void check_every_frame(const std::string& path, ImageSource& source) {
                    std::to_string(bad.size()) + " of " + std::to_string(frames) +
                        " frames cannot be used; the first: " + bad.front(),
                    "a run skips them");
-}
-
-// Whether the name is that of a camera file, not of a video or a rawlog.
-bool names_camera_file(const std::string& path) {
-  static const std::vector<std::string> kEndings{".yaml", ".yml", ".txt", ".json", ".ini",
-                                                 ".xml",  ".cfg", ".bin", ".db"};
-  std::error_code ignored;
-  const std::string ending = std::filesystem::path(path).extension().string();
-  return std::filesystem::is_regular_file(path, ignored) &&
-         std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
 }
 
 int info_of_camera(const std::string& path, const std::string& sensor) {

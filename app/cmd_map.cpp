@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_statistics.h"
-#include "edgevo/files/output_folder.h"
-#include "edgevo/occupancy/edge_ply_reader.h"
 #include "edgevo/occupancy/map_size.h"
+#include "edgevo/results/rebuilt_maps.h"
 #include "edgevo/results/run_maps.h"
 #include "edgevo/results/run_params.h"
 #include "option_checks.h"
@@ -19,8 +16,6 @@
 namespace edgevo::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct MapArguments {
   std::string run, out, params_file;
   std::vector<std::string> settings;
@@ -28,16 +23,6 @@ struct MapArguments {
   std::optional<CameraMount> mount;
   bool include_doubtful = false, force = false;
 };
-
-// A parameter of the odometry would be accepted without any effect.
-void check_is_of_maps(const std::string& setting) {
-  const std::string key = setting.substr(0, setting.find('='));
-  MapParams maps;
-  for (const ParamDescription& param : describe_params([&](ParamVisitor& v) { maps.visit(v); }))
-    if (param.key == key) return;
-  throw InputError("--set " + setting, "is of no use for a map",
-                   "set parameters of occupancy or grid; others act in edgevo run");
-}
 
 MapParams params_from(const MapArguments& args) {
   RunParams params;
@@ -53,74 +38,22 @@ MapParams params_from(const MapArguments& args) {
   return params.map;
 }
 
-void print_map(const Run& run, const MapReport& report, const std::string& out) {
-  std::printf(
-      "%s: voxels of %g, range %g, %lld occupied, %lld free, of %d points in %d keyframes; unit: %s\n",
-      out.c_str(), report.octree.resolution, report.octree.max_range,
-      (long long)report.octree.occupied_voxels, (long long)report.octree.free_voxels,
-      report.octree.points.kept, report.octree.batches, unit_statement(run).c_str());
-  if (!report.grid) return;
-  std::printf("grid of %d x %d cells: %s\n", report.grid->width, report.grid->height,
-              report.grid->statement.c_str());
-}
-
-// Maps of one run are not written into the folder of another.
-void check_output(const MapArguments& args) {
-  std::error_code ignored;
-  if (fs::equivalent(args.run, args.out, ignored)) return;
-  const bool is_of_a_run = fs::exists(fs::path(args.out) / "edges.ply", ignored);
-  const std::vector<std::string> marks{"edges.ot", "edges.bt"};
-  check_folder_is_ours(args.out, is_of_a_run ? std::vector<std::string>() : marks, args.force);
-}
-
-void print_size(const Run& run, const MapParams& params) {
-  const MapSize size = estimate_map_size(run, params.occupancy);
-  std::fprintf(stderr, "voxels of %g: about %.2g million, %.2g GB of memory\n", size.resolution,
-               size.voxels / 1e6, size.bytes / 1e9);
-}
-
 MapReport write_maps(const Run& run, const MapParams& params, const std::string& out) {
   Progress progress("mapping keyframes", int(run.keyframes.size()));
   return write_map_files(run, params, out, [&](int done) { progress.update(done); });
 }
 
-// The points of a run; on request those of its doubtful keyframes, too, which lie in a file of their own.
-Run read_map(const MapArguments& args) {
-  Run run = read_edge_ply((fs::path(args.run) / "edges.ply").string());
-  const std::string doubtful = (fs::path(args.run) / "edges_doubtful.ply").string();
-  std::error_code ignored;
-  if (!args.include_doubtful || !fs::exists(doubtful, ignored)) return run;
-  const Run rest = read_edge_ply(doubtful);
-  if (rest.keyframes.size() != run.keyframes.size())
-    throw InputError(doubtful, "is not of the run of edges.ply", "run the sequence again");
-  for (size_t k = 0; k < rest.keyframes.size(); ++k)
-    run.keyframes[k].points.insert(run.keyframes[k].points.end(), rest.keyframes[k].points.begin(),
-                                   rest.keyframes[k].points.end());
-  return run;
-}
-
-void check_not_empty(const MapArguments& args, const Run& run) {
-  const RunCounts n = count(run);
-  if (n.points + n.lines > 0) return;
-  std::error_code ignored;
-  const bool may_help =
-      !args.include_doubtful && fs::exists(fs::path(args.run) / "edges_doubtful.ply", ignored);
-  throw InputError(args.run, "has no point that is certain enough for a map",
-                   may_help ? "add --include-doubtful for those made in doubt" : "run a longer sequence");
-}
-
 int map(const MapArguments& args) {
   MapParams params = params_from(args);
-  check_output(args);
-  Run run = read_map(args);
-  check_not_empty(args, run);
+  check_map_folder(args.run, args.out, args.force);
+  Run run = read_run_map(args.run, args.include_doubtful);
   if (args.mount) run.T_vehicle_cam = T_vehicle_cam(*args.mount);
   if (const std::string note = coarsen_to_fit(run, free_memory(), &params.occupancy); !note.empty())
     std::fprintf(stderr, "%s\n", note.c_str());
   check_map_size(run, params.occupancy, free_memory(), args.run);
-  print_size(run, params);
+  std::fputs(map_size_text(run, params).c_str(), stderr);
   const MapReport report = write_maps(run, params, args.out);
-  print_map(run, report, args.out);
+  std::fputs(map_text(run, report, args.out).c_str(), stdout);
   if (report.octree.occupied_voxels == 0)
     throw InputError(args.run,
                      "the map is empty: no point lies within a range of " + fixed(report.octree.max_range, 4),

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 #include "commands.h"
-#include "edgevo/core/error.h"
+#include "edgevo/results/run_mask.h"
 #include "option_checks.h"
 
 namespace edgevo::app {
@@ -18,21 +17,12 @@ struct MaskCommand {
   bool force = false;
 };
 
-int copy_mask(const MaskCommand& options) {
-  namespace fs = std::filesystem;
-  const fs::path found = fs::path(options.run) / "mask.png";
-  std::error_code error;
-  if (!fs::exists(fs::path(options.run) / "summary.yaml", error))
-    throw InputError(options.run, "is not the folder of a finished run", "give the -o of `edgevo run`");
-  if (!fs::exists(found, error)) {
+int mask(const MaskCommand& options) {
+  if (!copy_run_mask(options.run, options.out, options.force)) {
     std::fprintf(stderr, "%s: nothing fixed to the camera was found; no mask is written\n",
                  options.run.c_str());
     return kNothingFound;
   }
-  if (!options.force && fs::exists(options.out, error))
-    throw InputError(options.out, "exists already", "give another name, or --force to replace it");
-  fs::copy_file(found, options.out, fs::copy_options::overwrite_existing, error);
-  if (error) throw InputError(options.out, "cannot be written: " + error.message(), "give another name");
   std::printf("%s: black gives no edges; `edgevo run SOURCE --mask %s`\n", options.out.c_str(),
               options.out.c_str());
   return 0;
@@ -50,7 +40,7 @@ void add_mask_command(CLI::App& app, Action* action) {
   command->footer(
       "Exit codes: 0 written; 1 the run found nothing that is fixed to the camera, nothing is written; 2 bad "
       "usage or input.");
-  command->callback([=] { *action = [=] { return copy_mask(*options); }; });
+  command->callback([=] { *action = [=] { return mask(*options); }; });
 }
 
 }  // namespace edgevo::app

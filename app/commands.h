@@ -11,9 +11,8 @@
 #include <vector>
 
 namespace edgevo {
-struct EvaluationOptions;
+struct RunEvaluationRequest;
 struct Trajectory;
-struct TrajectoryReading;
 }  // namespace edgevo
 
 namespace edgevo::app {
@@ -26,9 +25,8 @@ void add_finish_command(CLI::App& app, Action* action);
 void add_import_command(CLI::App& app, Action* action);
 void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
-/// Evaluates finished runs (eval_runs.h); returns the exit code.
-using EvalRuns = std::function<int(const std::vector<std::string>& paths, const EvaluationOptions& options,
-                                   bool json, const TrajectoryReading& truth_reading)>;
+/// Evaluates finished runs (benchmark/evaluated_runs.h) and prints; returns the exit code.
+using EvalRuns = std::function<int(const RunEvaluationRequest& request)>;
 /// Adds `eval`; `truth_of_source` reads the ground truth of a data set if GROUNDTRUTH is not a file,
 /// `eval_runs` takes over if TRAJECTORY is a folder.
 void add_eval_command(CLI::App& app, Action* action,

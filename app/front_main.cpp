@@ -66,9 +66,7 @@ int eval(const Words& words) {
   Action action;
   add_eval_command(
       app, &action, [&](const std::string&) -> Trajectory { become_commands(words); },
-      [&](const std::vector<std::string>&, const EvaluationOptions&, bool, const TrajectoryReading&) -> int {
-        become_commands(words);
-      });
+      [&](const RunEvaluationRequest&) -> int { become_commands(words); });
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::ParseError&) {

@@ -2,15 +2,8 @@
 #pragma once
 // Output of `edgevo help parameters`.
 #include <string>
-#include <vector>
-
-#include "edgevo/core/params.h"
 
 namespace edgevo::app {
-
-/// The basic parameters, each with its default, range and description; with `all` also the advanced and the
-/// experimental ones, by level.
-std::string parameters_text(const std::vector<ParamDescription>& params, bool all);
 
 /// Handles `edgevo help parameters [--all]`: prints to standard output and returns true; returns false for
 /// any other command line. Throws InputError for an unknown word after `parameters`.

@@ -7,12 +7,12 @@
 #include <opencv2/core/utility.hpp>
 
 #include "commands.h"
+#include "edgevo/benchmark/evaluated_runs.h"
+#include "edgevo/benchmark/source_truth.h"
 #include "edgevo/core/error.h"
-#include "eval_runs.h"
 #include "help.h"
 #include "help_parameters.h"
 #include "option_checks.h"
-#include "source_truth.h"
 #include "standard_output.h"
 #include "version.h"
 
@@ -41,11 +41,11 @@ int main(int argc, char** argv) {
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
   edgevo::app::add_mask_command(app, &action);
-  edgevo::app::add_eval_command(
-      app, &action, edgevo::app::source_truth,
-      [](const auto& paths, const auto& options, bool json, const auto& truth_reading) {
-        return edgevo::app::eval_runs(paths, options, json, truth_reading, edgevo::app::source_truth);
-      });
+  edgevo::app::add_eval_command(app, &action, edgevo::source_truth,
+                                [](const edgevo::RunEvaluationRequest& request) {
+                                  std::fputs(edgevo::evaluate_runs(request).c_str(), stdout);
+                                  return 0;
+                                });
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
   edgevo::app::add_overlay_command(app, &action);

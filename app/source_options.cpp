@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "edgevo/core/error.h"
+#include "edgevo/datasets/describe.h"
 #include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/source_folder.h"
 #include "option_checks.h"
@@ -106,26 +107,17 @@ void add_rectification(CLI::App& command, TargetRequest* request) {
       "their size, WIDTHxHEIGHT (default: as sharp in the middle as the lens)");
 }
 
-std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source) {
-  std::vector<std::pair<std::string, std::string>> notices;
-  for (const auto& detail : source.details())
-    if (detail.first == kScaled) notices.push_back(detail);
-  return notices;
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 void print_decisions(const std::string& path, const std::vector<InputDecision>& decisions) {
-  for (const InputDecision& decision : decisions)
-    std::fprintf(stderr, "edgevo: %s: %s\n", path.c_str(), to_string(decision).c_str());
-  for (const std::string& warning : input_warnings(decisions))
-    std::fprintf(stderr, "WARNING: %s\n", warning.c_str());
+  print_lines(decision_lines(path, decisions));
 }
 
-std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet) {
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options) {
   auto source = open_source(options);
-  if (quiet) return source;
-  for (const auto& [name, value] : source_notices(*source))
-    std::fprintf(stderr, "edgevo: %s: %s %s\n", options.path.c_str(), name.c_str(), value.c_str());
-  print_decisions(options.path, source->decisions());
+  print_lines(opening_lines(options.path, *source));
   return source;
 }
 

@@ -23,13 +23,13 @@ void add_image_scale(CLI::App& command, SourceOptions* options);
 /// Adds --rectify-fov and --rectify-size.
 void add_rectification(CLI::App& command, TargetRequest* request);
 
-/// What to report about a source, as name and value: assumptions about its camera and scaling of its images.
-std::vector<std::pair<std::string, std::string>> source_notices(const ImageSource& source);
+/// Prints to stderr.
+void print_lines(const std::vector<std::string>& lines);
 
 /// Prints what was decided about the input at `path` to stderr, one line each, and the doubts as warnings.
 void print_decisions(const std::string& path, const std::vector<InputDecision>& decisions);
 
 /// Calls open_source() and prints the notices to stderr, one line each.
-std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options, bool quiet = false);
+std::unique_ptr<ImageSource> open_source_with_notices(const SourceOptions& options);
 
 }  // namespace edgevo::app

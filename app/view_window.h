@@ -9,16 +9,13 @@
 #include <vector>
 
 #include "edgevo/map/map_log.h"
-#include "edgevo/run_loop/run_odometry.h"
+#include "edgevo/run_session/run_session.h"
 
 namespace edgevo::app {
 
 /// Returns in edgevo-view. Elsewhere replaces this process with edgevo-view, called with these words; throws
 /// InputError if it cannot be run.
 void become_program_with_window(const std::vector<std::string>& words);
-
-/// Shows a frame and waits while the view is paused. Returns false if the user wants the run to end.
-using ShowFrame = std::function<bool(const ProcessedFrame&)>;
 
 /// RunView::open (run_view.h) and RunView::show with `stop`; empty where the window does not open. For use
 /// after become_program_with_window().

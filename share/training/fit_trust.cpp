@@ -9,7 +9,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 #include "monotone_fit.h"
 #include "trust_runs.h"
 #include "trust_table_text.h"
@@ -26,9 +26,9 @@ constexpr double kFalseAlarms = 0.02;
 // The evaluated motions of ten frames of a run: doubts at their end.
 std::vector<EvaluatedMotion> samples_of(const TrustRun& run) {
   std::vector<EvaluatedMotion> samples;
-  for (size_t i = 0; i < run.judgement.frames.size(); ++i) {
-    const FrameVerdict& v = run.judgement.frames[i];
-    if (!v.is_judged || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)]) continue;
+  for (size_t i = 0; i < run.evaluation.frames.size(); ++i) {
+    const FrameError& v = run.evaluation.frames[i];
+    if (!v.is_evaluated || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)]) continue;
     samples.push_back({*run.doubts[size_t(v.end)], v.wrong});
   }
   return samples;
@@ -64,22 +64,22 @@ double p_right_by(const FittedTrust& fitted, const Doubts& doubts) {
   return std::min(p_right_at(fitted.knots, fitted.sum.sum(doubts)), p_right_limit(doubts));
 }
 
-// The claims of a run with p_right by a fit; below `bound` the state is DEGRADED.
-RunJudgement evaluated_by(const TrustRun& run, const FittedTrust& fitted, double bound) {
-  std::vector<ClaimedFrame> claims = run.claims;
-  for (size_t i = 0; i < claims.size(); ++i)
-    if (run.doubts[i]) claims[i].p_right = p_right_by(fitted, *run.doubts[i]);
-  JudgementRules rules;
+// The reported of a run with p_right by a fit; below `bound` the state is DEGRADED.
+FrameEvaluation evaluated_by(const TrustRun& run, const FittedTrust& fitted, double bound) {
+  std::vector<ReportedFrame> reported = run.reported;
+  for (size_t i = 0; i < reported.size(); ++i)
+    if (run.doubts[i]) reported[i].p_right = p_right_by(fitted, *run.doubts[i]);
+  FrameEvaluationOptions rules;
   rules.p_threshold = bound;
-  return judge_frames(claims, run.truth, rules);
+  return evaluate_frames(reported, run.truth, rules);
 }
 
 // p_right of the frames that are right and follow no wrong one; 0 where the image alone doubts them, so that
 // the bound counts all alarms.
 void add_right(const TrustRun& run, const FittedTrust& fitted, std::vector<double>* p) {
-  for (size_t i = 0; i < run.judgement.frames.size(); ++i) {
-    const FrameVerdict& v = run.judgement.frames[i];
-    if (v.is_judged && !v.wrong && !v.aftermath && run.doubts[i])
+  for (size_t i = 0; i < run.evaluation.frames.size(); ++i) {
+    const FrameError& v = run.evaluation.frames[i];
+    if (v.is_evaluated && !v.wrong && !v.aftermath && run.doubts[i])
       p->push_back(v.alarm ? 0.0 : p_right_by(fitted, *run.doubts[i]));
   }
 }
@@ -106,13 +106,13 @@ std::vector<Fold> folds_of(const std::vector<TrustRun>& runs) {
 
 std::string report_of(const std::vector<Fold>& folds, const FittedTrust& fitted) {
   std::vector<NamedFigures> cameras, single;
-  std::vector<RunJudgement> all, by_image;
+  std::vector<FrameEvaluation> all, by_image;
   for (const Fold& fold : folds) {
-    std::vector<RunJudgement> of_camera;
+    std::vector<FrameEvaluation> of_camera;
     for (const TrustRun* run : fold.runs) {
       of_camera.push_back(evaluated_by(*run, fold.fitted, fitted.bound));
       single.push_back({run->name, figures_of({of_camera.back()})});
-      by_image.push_back(run->judgement);
+      by_image.push_back(run->evaluation);
     }
     cameras.push_back({fold.camera, figures_of(of_camera)});
     all.insert(all.end(), of_camera.begin(), of_camera.end());
@@ -127,8 +127,8 @@ std::string report_of(const std::vector<Fold>& folds, const FittedTrust& fitted)
     text += std::string("\n| ") + name_of(Doubt(k)) + " | " + fixed(fitted.sum.weights[k], 3) + " |";
     for (const Fold& fold : folds) text += " " + fixed(fold.fitted.sum.weights[k], 3) + " |";
   }
-  return text + "\n\nCameras excluded of the fit:\n\n" + judgement_markdown(cameras) +
-         "\nEach run, its camera excluded:\n\n" + judgement_markdown(single);
+  return text + "\n\nCameras excluded of the fit:\n\n" + frame_figures_markdown(cameras) +
+         "\nEach run, its camera excluded:\n\n" + frame_figures_markdown(single);
 }
 
 int fit(const std::string& list, const std::string& table, const std::string& report) {

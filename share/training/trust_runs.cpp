@@ -60,13 +60,13 @@ FrameEvidence evidence_of(const CsvTable& row) {
 void replay(const std::string& folder, TrustRun* run) {
   CsvTable row(folder + "/frames.csv", "make the corpus again");
   Trust trust;
-  for (ClaimedFrame& claim : run->claims) {
+  for (ReportedFrame& frame : run->reported) {
     run->doubts.emplace_back();
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
-    if (std::isfinite(row.number("p_right")) && claim.T_world_cam) {
-      run->doubts.back() = trust.add({evidence, claim.segment, *claim.T_world_cam}).doubts;
-      claim.state = frame_status(evidence, StatusParams()).state;
+    if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
+      run->doubts.back() = trust.add({evidence, frame.segment, *frame.T_world_cam}).doubts;
+      frame.state = frame_status(evidence, StatusParams()).state;
     } else {
       trust.interrupt();
     }
@@ -82,11 +82,11 @@ std::vector<TrustRun> read_trust_runs(const std::string& list) {
   for (std::string folder, truth, camera; lines >> folder >> truth >> camera;) {
     TrustRun run;
     run.name = std::filesystem::path(folder).filename().string(), run.camera = camera;
-    run.claims = read_claims(folder, PoseSource::kLive);
+    run.reported = read_reported_frames(folder, PoseSource::kLive);
     run.truth = read_trajectory(truth);
     replay(folder, &run);
-    for (ClaimedFrame& claim : run.claims) claim.p_right = std::numeric_limits<double>::quiet_NaN();
-    run.judgement = judge_frames(run.claims, run.truth);
+    for (ReportedFrame& frame : run.reported) frame.p_right = std::numeric_limits<double>::quiet_NaN();
+    run.evaluation = evaluate_frames(run.reported, run.truth);
     runs.push_back(std::move(run));
   }
   if (runs.empty()) throw InputError(list, "names no run", "make it by trust_corpus.py");

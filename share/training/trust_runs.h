@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The runs of a corpus, as the trust in their frames is fitted to them: the doubts that the program had,
-// found again from the evidence in frames.csv by the program's own code, and the judgement against the truth.
+// found again from the evidence in frames.csv by the program's own code, and their evaluation against the truth.
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "edgevo/evaluation/frame_judge.h"
+#include "edgevo/frame_evaluation/evaluate_frames.h"
 #include "edgevo/confidence/trust.h"
 
 namespace edgevo::training {
@@ -16,13 +16,13 @@ struct TrustRun {
   /// Name of the folder, and of the camera that took the images.
   std::string name, camera;
   /// What the run said about each frame, with live poses. The state is that by the image alone.
-  std::vector<ClaimedFrame> claims;
+  std::vector<ReportedFrame> reported;
   /// Doubts of each frame that the trust was built for.
   std::vector<std::optional<Doubts>> doubts;
   /// Ground truth.
   Trajectory truth;
-  /// Judgement of the live poses; noticed and alarm are those by the image alone.
-  RunJudgement judgement;
+  /// Evaluation of the live poses; noticed and alarm are those by the image alone.
+  FrameEvaluation evaluation;
 };
 
 /// Reads the runs of a list written by trust_corpus.py: folder, ground truth and camera on each line,

@@ -38,7 +38,7 @@ void evaluate_run(const BenchJob& job, const Run& run, const std::string& truth_
     trial->note = "no frame has a pose";
     return;
   }
-  add_judgement(figures_of({judge_run(run, truth).live}), trial);
+  add_frame_figures(figures_of({evaluate_frames_of(run, truth).live}), trial);
   try {
     add_errors(evaluate(read_trajectory(in_folder(job, kTrajectory)), truth, {}), trial);
   } catch (const InputError& e) {

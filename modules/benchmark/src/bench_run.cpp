@@ -11,7 +11,7 @@
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/edges/edge_params.h"
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 #include "edgevo/simulation/relight.h"
 #include "engine.h"
 #include "file_lock.h"
@@ -33,7 +33,8 @@ void add_trial(const BenchJob& job, BenchRow* row, BenchOutcome* outcome) {
     std::string failure = failure_of(job);
     if (const std::optional<Trial> trial = finished_trial(job)) {
       --row->missing;
-      if (trial->judged_frames > 0) outcome->judged_jobs.emplace_back(job.folder, !job.variant.light.empty());
+      if (trial->evaluated_frames > 0)
+        outcome->evaluated_jobs.emplace_back(job.folder, !job.variant.light.empty());
       row->trials.push_back(*trial);
     } else if (outcome->first_failure.empty()) {
       outcome->first_failure = failure;
@@ -96,14 +97,14 @@ BenchHeader bench_header(const BenchList& list, const BenchHost& host) {
   return header;
 }
 
-// Judgement of the single frames of all jobs; empty if none has ground truth. A folder that was damaged since
+// Figures of the single frames of all jobs; empty if none has ground truth. A folder that was damaged since
 // is skipped: its row is in the table above.
-std::string pooled_judgement(const BenchOutcome& outcome) {
-  std::vector<RunJudgement> all, normal, changed;
-  for (const auto& [folder, is_relit] : outcome.judged_jobs) try {
+std::string pooled_frame_figures(const BenchOutcome& outcome) {
+  std::vector<FrameEvaluation> all, normal, changed;
+  for (const auto& [folder, is_relit] : outcome.evaluated_jobs) try {
       const std::filesystem::path variant = std::filesystem::path(folder).parent_path();
       const Trajectory truth = read_trajectory((variant / "groundtruth_tum.txt").string());
-      all.push_back(judge_folder(folder, truth).live);
+      all.push_back(evaluate_frames_in(folder, truth).live);
       (is_relit ? changed : normal).push_back(all.back());
     } catch (const InputError&) {
       continue;
@@ -114,7 +115,7 @@ std::string pooled_judgement(const BenchOutcome& outcome) {
     rows.push_back({"normal light", figures_of(normal)});
     rows.push_back({"changed light", figures_of(changed)});
   }
-  return "\nSingle frames, pooled (live trajectory).\n\n" + judgement_markdown(rows);
+  return "\nSingle frames, pooled (live trajectory).\n\n" + frame_figures_markdown(rows);
 }
 
 // A sequence that cannot be opened is reported by its jobs.
@@ -180,7 +181,7 @@ std::string seeds_text(const BenchList& list) {
 std::string write_bench_tables(const BenchList& list, const BenchOutcome& outcome, const BenchTarget& target,
                                const BenchHost& host) {
   const BenchHeader header = bench_header(list, host);
-  const std::string table = bench_markdown(header, outcome.rows) + pooled_judgement(outcome);
+  const std::string table = bench_markdown(header, outcome.rows) + pooled_frame_figures(outcome);
   write_file((std::filesystem::path(target.out) / "table.md").string(), table);
   write_file((std::filesystem::path(target.out) / "table.csv").string(), bench_csv(header, outcome.rows));
   return table;

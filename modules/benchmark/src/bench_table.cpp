@@ -32,7 +32,7 @@ struct Column {
 };
 
 double if_evaluated(const Trial& t, double value) { return t.evaluated ? value : kNone; }
-double if_judged(const Trial& t, double value) { return t.judged_frames > 0 ? value : kNone; }
+double if_frames_evaluated(const Trial& t, double value) { return t.evaluated_frames > 0 ? value : kNone; }
 double if_known(double value) { return value >= 0 ? value : kNone; }
 // `nothing`: the share of nothing.
 double percent_of(int part, int whole, double nothing) { return whole > 0 ? 100.0 * part / whole : nothing; }
@@ -52,18 +52,18 @@ const Column kColumns[] = {
     {"segments", "segments", [](const Trial& t) { return double(t.segments); }, whole, false},
     {"doubtful_frames", "doubtful frames", [](const Trial& t) { return double(t.doubtful_frames); }, whole,
      false},
-    {"wrong_frames", "wrong frames", [](const Trial& t) { return if_judged(t, t.wrong_frames); }, whole,
-     false},
+    {"wrong_frames", "wrong frames", [](const Trial& t) { return if_frames_evaluated(t, t.wrong_frames); },
+     whole, false},
     {"noticed_percent", "noticed %",
-     [](const Trial& t) { return if_judged(t, percent_of(t.noticed_frames, t.wrong_frames, 100)); },
+     [](const Trial& t) { return if_frames_evaluated(t, percent_of(t.noticed_frames, t.wrong_frames, 100)); },
      one_decimal, true},
     {"false_alarm_percent", "false alarms %",
-     [](const Trial& t) { return if_judged(t, percent_of(t.false_alarms, t.right_frames, 0)); }, one_decimal,
-     false},
+     [](const Trial& t) { return if_frames_evaluated(t, percent_of(t.false_alarms, t.right_frames, 0)); },
+     one_decimal, false},
     {"longest_unnoticed", "longest unnoticed",
-     [](const Trial& t) { return if_judged(t, t.longest_unnoticed); }, whole, false},
+     [](const Trial& t) { return if_frames_evaluated(t, t.longest_unnoticed); }, whole, false},
     {"longest_off_scale", "longest off scale",
-     [](const Trial& t) { return if_judged(t, t.longest_off_scale); }, whole, false},
+     [](const Trial& t) { return if_frames_evaluated(t, t.longest_off_scale); }, whole, false},
     {"roc_area", "ROC", [](const Trial& t) { return if_known(t.roc_area); }, three_digits, true},
     {"calibration_error", "calibration error", [](const Trial& t) { return if_known(t.calibration_error); },
      three_digits, false},

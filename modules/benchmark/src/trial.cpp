@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 namespace edgevo {
 
@@ -28,7 +28,7 @@ void Trial::visit(KeyVisitor& v) {
   v.boolean("has_failed", has_failed, "whether the exit code of a run would be 3");
   v.number("track_ms", track_ms, 0, kLarge, "edges, alignment and corners, per frame");
   v.number("map_ms", map_ms, 0, kLarge, "all other stages, per frame");
-  v.integer("judged_frames", judged_frames, 0, kMany, "frames compared with ground truth one by one");
+  v.integer("judged_frames", evaluated_frames, 0, kMany, "frames compared with ground truth one by one");
   v.integer("wrong_frames", wrong_frames, 0, kMany, "of these, with a wrong motion over the next ten");
   v.integer("noticed_frames", noticed_frames, 0, kMany, "of these, noticed by the program");
   v.integer("right_frames", right_frames, 0, kMany, "frames with a right motion");
@@ -84,8 +84,9 @@ void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial) {
     trial->failure_percent = 100.0 * (drift.capped + drift.without_poses) / drift.intervals;
 }
 
-void add_judgement(const JudgementFigures& f, Trial* trial) {
-  trial->judged_frames = f.frames_judged, trial->wrong_frames = f.wrong, trial->noticed_frames = f.noticed;
+void add_frame_figures(const FrameFigures& f, Trial* trial) {
+  trial->evaluated_frames = f.frames_evaluated, trial->wrong_frames = f.wrong,
+  trial->noticed_frames = f.noticed;
   trial->right_frames = f.right, trial->false_alarms = f.false_alarms;
   trial->longest_unnoticed = f.longest_unnoticed, trial->longest_off_scale = f.longest_off_scale;
   trial->roc_area = f.roc.value_or(-1);

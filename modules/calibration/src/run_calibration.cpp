@@ -6,9 +6,12 @@
 #include <limits>
 #include <sstream>
 
+#include "edgevo/calibration/camera_difference.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/core/params.h"
+#include "edgevo/datasets/camera_file.h"
 
 namespace edgevo {
 namespace {
@@ -115,6 +118,23 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
   if (state.empty()) throw InputError(run.path, "lacks the state of self_calibration", kRemedy);
   run.camera.check(run.path);
   run.refinement.state = state_of(state);
+  return run;
+}
+
+RunCalibration read_run_calibration(const std::string& run_folder, const std::string& camera_file) {
+  RunCalibration run = read_run_calibration(run_folder);
+  if (camera_file.empty()) return run;
+  const Camera camera = read_camera_file(camera_file);
+  if (camera.width != run.camera.width || camera.height != run.camera.height)
+    throw InputError(camera_file, "its image size is not that of the run",
+                     "give the camera file that the run used");
+  constexpr double kSame_px = 0.1;  // summary.yaml has nine digits
+  if (const double difference = largest_difference_px(run.camera, camera); difference > kSame_px)
+    throw InputError(camera_file,
+                     "is another camera than that of the run: points differ by up to " +
+                         (difference < 1e4 ? fixed(difference, 1) + " px" : "the whole image"),
+                     "give the camera file that the run used, or run again with this one");
+  run.camera = camera;
   return run;
 }
 

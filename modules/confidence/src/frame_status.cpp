@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "edgevo/confidence/collect_evidence.h"
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 
 namespace edgevo {
 namespace {

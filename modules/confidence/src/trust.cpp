@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "doubts.h"
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/motion_tolerance.h"
 #include "trust_table.h"
 
@@ -15,7 +15,7 @@ namespace {
 // p_right where one doubt decides alone.
 constexpr double kAtMostInDoubt = 0.1;
 
-static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_intervals.h");
+static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_frame.h");
 static_assert(kAtMostInDoubt < kDoubtfulBelow, "such a frame is doubtful");
 
 // A step over the usual one, or over what is a small one for a camera that has stood still.

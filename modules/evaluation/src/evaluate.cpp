@@ -70,7 +70,7 @@ TrajectoryEvaluation evaluate(const Trajectory& estimate_in, const Trajectory& g
   Trajectory estimate = estimate_in, ground_truth = ground_truth_in;
   reconcile_times(&estimate, &ground_truth);
   const InputFrames input = find_input_frames(estimate, ground_truth, options.frames_total);
-  const Association a = associate(estimate, ground_truth, input);
+  const TimeMatches a = match_by_time(estimate, ground_truth, input);
   require_motion(estimate_points(a.matches), estimate.path);
   require_motion(truth_points(a.matches), ground_truth.path);
 

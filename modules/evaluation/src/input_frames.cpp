@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "edgevo/core/error.h"
-#include "edgevo/evaluation/association.h"
+#include "edgevo/evaluation/time_matching.h"
 #include "time_steps.h"
 
 namespace edgevo {

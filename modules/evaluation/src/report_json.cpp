@@ -62,7 +62,7 @@ Json coverage_json(const Coverage& c) {
 
 }  // namespace
 
-std::string to_json(const TrajectoryEvaluation& e) {
+std::string to_json(const TrajectoryEvaluation& e, const std::vector<JsonMember>& more) {
   const std::string blocks = std::to_string(e.block_frames);
   Json out;
   out["trajectory"] = facts(e.estimate);
@@ -77,11 +77,7 @@ std::string to_json(const TrajectoryEvaluation& e) {
   out["kitti"] = kitti_json(e.kitti);
   out["local_scale"] = scale_json(e);
   out["coverage"] = coverage_json(e.coverage);
-  if (!e.judgement.empty()) {
-    out["truth_noise"] = {{"position_m", e.truth_noise.position_m},
-                          {"rotation_rad", e.truth_noise.rotation_rad}};
-    out["single_frames"] = Json::parse(judgement_json(e.judgement));
-  }
+  for (const JsonMember& member : more) out[member.name] = Json::parse(member.value);
   // Paths need not be UTF-8: invalid bytes are replaced rather than refused.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

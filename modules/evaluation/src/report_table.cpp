@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "edgevo/core/angle.h"
 #include "edgevo/evaluation/evaluate.h"
 
 namespace edgevo {
@@ -98,20 +97,6 @@ std::string layout(const std::vector<Row>& rows) {
   return text;
 }
 
-// Two digits, without an exponent.
-std::string rounded(double value) { return number(value, value < 99.5 ? "%.2g" : "%.0f"); }
-
-std::string judgement_text(const TrajectoryEvaluation& e) {
-  if (e.judgement.empty()) return {};
-  const JudgementFigures& first = e.judgement.front().figures;
-  const std::string hidden = first.below_noise == 0 ? ""
-                                                    : ", which hides " + std::to_string(first.below_noise) +
-                                                          " of " + std::to_string(first.frames) + " frames";
-  return "\nsingle frames: the motion over the next ten; noise of the ground truth " +
-         rounded(1000 * e.truth_noise.position_m) + " mm, " + rounded(deg(e.truth_noise.rotation_rad)) +
-         " deg" + hidden + "\n" + judgement_table(e.judgement);
-}
-
 std::string describe(const TrajectoryFacts& t) {
   return t.path + " (" + t.format + ", " + poses(t.poses) + ")";
 }
@@ -131,7 +116,7 @@ std::string to_table(const TrajectoryEvaluation& e) {
   add_relative(e, &rows);
   add_scale(e, &rows);
   add_coverage(e.coverage, &rows);
-  return head.str() + layout(rows) + judgement_text(e);
+  return head.str() + layout(rows);
 }
 
 }  // namespace edgevo

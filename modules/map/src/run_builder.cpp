@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/corrected_pixel.h"

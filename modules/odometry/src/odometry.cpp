@@ -6,7 +6,7 @@
 
 #include "camera_log.h"
 #include "edgevo/confidence/collect_evidence.h"
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"

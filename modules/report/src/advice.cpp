@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <map>
 
-#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_statistics.h"
-#include "edgevo/core/run_warnings.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/run_statistics.h"
+#include "edgevo/run_quality/run_warnings.h"
 
 namespace edgevo {
 namespace {

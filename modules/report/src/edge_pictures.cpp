@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "color_ramp.h"
-#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/rectification.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 
 namespace edgevo {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "advice.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_statistics.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
+#include "edgevo/run_quality/run_statistics.h"
 #include "sections/edges_section.h"
 #include "sections/map_section.h"
 #include "sections/map_view_section.h"

@@ -13,26 +13,25 @@ InputFrames input_of(const Run& run) {
   return input;
 }
 
-std::optional<Drift> drift_of(const Association& association) {
+std::optional<Drift> drift_of(const TimeMatches& matched) {
   const EvaluationOptions options;
-  const std::optional<AbsoluteError> whole = ate_sim3(association.matches);
+  const std::optional<AbsoluteError> whole = ate_sim3(matched.matches);
   if (!whole) return std::nullopt;
   const std::vector<MatchedPose> metric =
-      rescale_blocks(association.matches, options.rescale_block_frames, whole->scale);
-  return drift(association.frames, metric, options.drift_cap_cm_per_m);
+      rescale_blocks(matched.matches, options.rescale_block_frames, whole->scale);
+  return drift(matched.frames, metric, options.drift_cap_cm_per_m);
 }
 
 std::optional<TruthComparison> compare(const Run& run, const Trajectory& truth) {
-  const Association association = associate(trajectory_of(run), truth, input_of(run));
-  const Points estimated = estimate_points(association.matches),
-               true_points = truth_points(association.matches);
+  const TimeMatches matched = match_by_time(trajectory_of(run), truth, input_of(run));
+  const Points estimated = estimate_points(matched.matches), true_points = truth_points(matched.matches);
   const std::optional<Sim3> T_truth_run =
       run.is_metric() ? fit_se3(estimated, true_points) : fit_sim3(estimated, true_points);
   const std::optional<AbsoluteError> error =
-      run.is_metric() ? ate_se3(association.matches) : ate_sim3(association.matches);
+      run.is_metric() ? ate_se3(matched.matches) : ate_sim3(matched.matches);
   if (!T_truth_run || !error) return std::nullopt;
-  TruthComparison comparison{T_truth_run->scale, *error, {}, drift_of(association)};
-  for (const EvaluatedFrame& frame : association.frames)
+  TruthComparison comparison{T_truth_run->scale, *error, {}, drift_of(matched)};
+  for (const EvaluatedFrame& frame : matched.frames)
     comparison.p_world.push_back(
         frame.T_gt ? std::optional<Eigen::Vector3d>(T_truth_run->rigid.inverse() * frame.T_gt->translation())
                    : std::nullopt);

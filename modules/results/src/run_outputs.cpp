@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "edgevo/core/run_statistics.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/core/trusted_part.h"
+#include "edgevo/run_quality/run_statistics.h"
+#include "edgevo/run_quality/trusted_part.h"
 #include "export_files.h"
 #include "recovery_format.h"
 #include "run_outputs_impl.h"

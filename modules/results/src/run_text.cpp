@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_statistics.h"
 #include "edgevo/mrpt_bridge/playback_pose.h"
+#include "edgevo/run_quality/run_statistics.h"
 
 namespace edgevo {
 namespace {

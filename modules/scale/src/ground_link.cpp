@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/path.h"
 #include "rescale.h"

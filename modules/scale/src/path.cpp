@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 
 namespace edgevo {
 

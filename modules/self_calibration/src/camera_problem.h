@@ -8,7 +8,7 @@
 
 #include "camera_error.h"
 #include "edgevo/bundle_adjustment/profile.h"
-#include "edgevo/core/run_warnings.h"
+#include "edgevo/core/records.h"
 
 namespace edgevo {
 

@@ -24,7 +24,7 @@ Trial trial(double ate_m, double cpu_ms = 20, double completion = 100) {
   t.ate_m = ate_m;
   t.ate200_m = ate_m / 2;
   t.drift_cm_per_m = 10 * ate_m;
-  t.judged_frames = 90, t.wrong_frames = 10, t.noticed_frames = 8, t.right_frames = 80, t.false_alarms = 4;
+  t.evaluated_frames = 90, t.wrong_frames = 10, t.noticed_frames = 8, t.right_frames = 80, t.false_alarms = 4;
   t.scale_error_percent = 7.5, t.doubtful_frames = 12, t.has_failed = ate_m > 0.25;
   t.longest_unnoticed = 2, t.longest_off_scale = 3, t.roc_area = 0.9;
   return t;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "edgevo/confidence/frame_status.h"
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "trust_table.h"
 
 namespace edgevo {

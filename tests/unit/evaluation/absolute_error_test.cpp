@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "synthetic.h"
+#include "support/synthetic_trajectory.h"
 
 namespace edgevo {
 namespace {
@@ -71,7 +71,7 @@ double brute_ate_blocks(const std::vector<MatchedPose>& matches, int block) {
 }
 
 std::vector<MatchedPose> match(const Trajectory& est, const Trajectory& gt) {
-  return associate(est, gt, test::frames_of(gt)).matches;
+  return match_by_time(est, gt, test::frames_of(gt)).matches;
 }
 
 // An estimate whose unit grows by half over the run, with noise.

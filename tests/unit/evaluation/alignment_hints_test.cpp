@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "synthetic.h"
+#include "support/synthetic_trajectory.h"
 
 namespace edgevo {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "synthetic.h"
+#include "support/synthetic_trajectory.h"
 
 namespace edgevo {
 namespace {
@@ -114,15 +114,12 @@ TEST(EvaluationReport, TableStatesAlignmentUnitAndCount) {
     EXPECT_THAT(table, HasSubstr(text));
 }
 
-TEST(EvaluationReport, SaysHowManyFramesTheNoiseOfTheTruthHides) {
-  TrajectoryEvaluation e = noisy_evaluation();
-  JudgementFigures figures;
-  figures.frames = 300;
-  figures.below_noise = 120;
-  e.judgement = {{"live", figures}};
-  e.truth_noise = {0.25, 0.02 * M_PI / 180};
-  EXPECT_THAT(to_table(e),
-              HasSubstr("noise of the ground truth 250 mm, 0.02 deg, which hides 120 of 300 frames\n"));
+TEST(EvaluationReport, JsonEndsWithTheMembersOfOthers) {
+  const nlohmann::ordered_json j =
+      nlohmann::ordered_json::parse(to_json(noisy_evaluation(), {{"more", "{\"a\": 0.1}"}}));
+  EXPECT_EQ(j["more"]["a"], 0.1);
+  EXPECT_EQ(j.items().begin().key(), "trajectory");
+  EXPECT_EQ(std::prev(j.end()).key(), "more");
 }
 
 TEST(EvaluationReport, PathsThatAreNotUtf8DoNotBreakJson) {

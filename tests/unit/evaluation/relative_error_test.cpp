@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "synthetic.h"
+#include "support/synthetic_trajectory.h"
 
 namespace edgevo {
 namespace {
@@ -12,12 +12,12 @@ namespace {
 constexpr double kCap = 30;
 
 // A straight drive whose estimate advances `factor` m a frame where the truth advances 1 m.
-Association straight(int frames, double factor) {
+TimeMatches straight(int frames, double factor) {
   Trajectory truth = test::straight_drive(frames);
-  return associate(test::straight_drive(frames, factor), truth, test::frames_of(truth));
+  return match_by_time(test::straight_drive(frames, factor), truth, test::frames_of(truth));
 }
 
-void remove_poses(Association* a, int begin, int end) {
+void remove_poses(TimeMatches* a, int begin, int end) {
   for (int i = begin; i < end; ++i) {
     a->frames[size_t(i)].has_pose = false;
     a->frames[size_t(i)].match = -1;
@@ -25,7 +25,7 @@ void remove_poses(Association* a, int begin, int end) {
 }
 
 TEST(Drift, StepsTwoPercentTooLongGiveTwoCentimetresPerMetre) {
-  const Association a = straight(201, 1.02);  // 200 m: intervals of 10, 20, 40, 60 m
+  const TimeMatches a = straight(201, 1.02);  // 200 m: intervals of 10, 20, 40, 60 m
   const Drift d = drift(a.frames, a.matches, kCap).value();
   EXPECT_NEAR(d.mean_cm_per_m, 2.0, 1e-9);
   EXPECT_NEAR(d.median_cm_per_m, 2.0, 1e-9);
@@ -35,7 +35,7 @@ TEST(Drift, StepsTwoPercentTooLongGiveTwoCentimetresPerMetre) {
 }
 
 TEST(Drift, IsReportedByIntervalLength) {
-  Association a = straight(201, 1.0);
+  TimeMatches a = straight(201, 1.0);
   for (size_t i = 100; i < a.matches.size(); ++i)  // one jump of a metre in the middle
     a.matches[i].T_est = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(1, 0, 0)) * a.matches[i].T_est;
   const Drift d = drift(a.frames, a.matches, kCap).value();
@@ -56,13 +56,13 @@ TEST(Drift, IsReportedByIntervalLength) {
 TEST(Drift, ASidewaysTurnGivesTheChord) {
   // Estimate turned by phi in its own frame half-way: constant heading error makes no relative error before
   // or after; only intervals across the turn contain it. With all poses turned alike there is none.
-  Association a = straight(101, 1.0);
+  TimeMatches a = straight(101, 1.0);
   const SE3 turn(Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitY())),
                  Eigen::Vector3d(5, 0, 0));
   for (MatchedPose& m : a.matches) m.T_est = turn * m.T_est;
   EXPECT_LT(drift(a.frames, a.matches, kCap)->mean_cm_per_m, 1e-9);
   // One frame's heading wrong by phi: an interval that begins there is off by the chord 2 L sin(phi/2).
-  Association b = straight(101, 1.0);
+  TimeMatches b = straight(101, 1.0);
   MatchedPose& wrong = b.matches[0];
   wrong.T_est =
       SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY())), wrong.T_est.translation());
@@ -72,7 +72,7 @@ TEST(Drift, ASidewaysTurnGivesTheChord) {
 }
 
 TEST(Drift, LongPathsUseHundredsOfMetres) {
-  const Association a = straight(451, 1.01);
+  const TimeMatches a = straight(451, 1.01);
   const Drift d = drift(a.frames, a.matches, kCap).value();
   EXPECT_EQ(d.lengths_m, (std::vector<double>{100, 200, 300, 400, 500, 600, 700, 800}));
   EXPECT_EQ(d.intervals, 351 + 251 + 151 + 51);
@@ -80,14 +80,14 @@ TEST(Drift, LongPathsUseHundredsOfMetres) {
 }
 
 TEST(Drift, IsCapped) {
-  const Association a = straight(201, 5.0);
+  const TimeMatches a = straight(201, 5.0);
   const Drift d = drift(a.frames, a.matches, kCap).value();
   EXPECT_EQ(d.mean_cm_per_m, kCap);
   EXPECT_EQ(d.capped, d.intervals);
 }
 
 TEST(Drift, IntervalsWithoutPosesCountTheCap) {
-  Association a = straight(201, 1.0);
+  TimeMatches a = straight(201, 1.0);
   remove_poses(&a, 100, 201);
   const Drift d = drift(a.frames, a.matches, kCap).value();
   // Brute force: an interval [i, i + L] lacks its end if i + L >= 100; both ends before that are whole.
@@ -99,7 +99,7 @@ TEST(Drift, IntervalsWithoutPosesCountTheCap) {
 }
 
 TEST(Drift, HalfTheFramesWithoutPosesCountTheCapToo) {
-  Association a = straight(41, 1.0);  // 40 m: 2, 4, 8, 12 m
+  TimeMatches a = straight(41, 1.0);  // 40 m: 2, 4, 8, 12 m
   remove_poses(&a, 20, 26);
   const Drift d = drift(a.frames, a.matches, kCap).value();
   int missing = 0;
@@ -115,13 +115,13 @@ TEST(Drift, HalfTheFramesWithoutPosesCountTheCapToo) {
 }
 
 TEST(Drift, ACameraThatStandsStillHasNone) {
-  Association a = straight(20, 1.0);
+  TimeMatches a = straight(20, 1.0);
   for (EvaluatedFrame& f : a.frames) f.T_gt = SE3();
   EXPECT_FALSE(drift(a.frames, a.matches, kCap));
 }
 
 TEST(KittiRelative, ScaleErrorAndYawRate) {
-  const Association a = straight(301, 1.03);
+  const TimeMatches a = straight(301, 1.03);
   const KittiRelative k = kitti_relative(a.frames, a.matches, 1.0).value();
   EXPECT_NEAR(k.t_rel_percent, 3.0, 1e-9);
   EXPECT_NEAR(k.r_rel_deg_per_100m, 0.0, 1e-6);
@@ -131,7 +131,7 @@ TEST(KittiRelative, ScaleErrorAndYawRate) {
 }
 
 TEST(KittiRelative, RotationIsInDegreesPerHundredMetres) {
-  Association a = straight(201, 1.0);
+  TimeMatches a = straight(201, 1.0);
   for (size_t i = 0; i < a.matches.size(); ++i) {
     const Eigen::Quaterniond q(Eigen::AngleAxisd(0.002 * double(i) * M_PI / 180, Eigen::Vector3d::UnitX()));
     a.matches[i].T_est = SE3(q, a.matches[i].T_est.translation());
@@ -147,7 +147,7 @@ TEST(ScaleCurve, ShowsAUnitThatGrows) {
     z += 1.0 + (i > 150 ? 0.2 : 0.0);
     est.poses[size_t(i)].T_world_cam = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, 0, z));
   }
-  const Association a = associate(est, truth, test::frames_of(truth));
+  const TimeMatches a = match_by_time(est, truth, test::frames_of(truth));
   const std::vector<ScalePoint> curve = scale_curve(a.matches, 50, 1.0);
   ASSERT_EQ(curve.size(), 11u);
   EXPECT_NEAR(curve.front().relative_scale, 1.0, 1e-9);

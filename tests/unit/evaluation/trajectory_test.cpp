@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "support/synthetic_trajectory.h"
 #include "support/temp_folder.h"
-#include "synthetic.h"
 
 namespace edgevo {
 namespace {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <mrpt/containers/yaml.h>
 
-#include "edgevo/core/run_statistics.h"
 #include "edgevo/results/run_text.h"
 #include "edgevo/results/yaml_writer.h"
 #include "edgevo/run_loop/latency_stats.h"
+#include "edgevo/run_quality/run_statistics.h"
 #include "written_run.h"
 
 namespace edgevo {

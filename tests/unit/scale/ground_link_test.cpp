@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "drive_over_ground.h"
-#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/record_units.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/scale/run_scale.h"
 
 namespace edgevo {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "edgevo/core/doubtful_intervals.h"
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "servo_test_views.h"

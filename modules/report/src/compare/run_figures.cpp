@@ -31,7 +31,7 @@ Points positions_of(const Trajectory& trajectory) {
 }
 
 Points aligned(const Trajectory& estimate, const Trajectory& truth) {
-  const Association a = associate(estimate, truth, find_input_frames(estimate, truth, {}));
+  const TimeMatches a = match_by_time(estimate, truth, find_input_frames(estimate, truth, {}));
   const std::optional<Sim3> T = fit_sim3(estimate_points(a.matches), truth_points(a.matches));
   Points points = positions_of(estimate);
   for (Eigen::Index i = 0; T && i < points.cols(); ++i)

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_statistics.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
 #include "edgevo/report/palette.h"
+#include "edgevo/run_quality/run_statistics.h"
 #include "frame_times.h"
 
 namespace edgevo {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/doubtful_intervals.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
 #include "edgevo/report/palette.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
 #include "frame_times.h"
 
 namespace edgevo {

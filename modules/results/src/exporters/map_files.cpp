@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/trusted_part.h"
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 #include "edgevo/occupancy/color_octree.h"
 #include "edgevo/occupancy/edge_ply.h"
 #include "edgevo/occupancy/line_table.h"
 #include "edgevo/occupancy/map_size.h"
+#include "edgevo/run_quality/trusted_part.h"
 #include "exporters.h"
 
 namespace edgevo {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/core/run_warnings.h"
+#include "edgevo/run_quality/run_warnings.h"
 #include "summary_parts.h"
 
 namespace edgevo {

@@ -36,7 +36,7 @@ struct BenchOutcome {
   /// Number of trials finished by this call, and before.
   int ran = 0, taken = 0;
   /// Folder of each finished job that was compared with ground truth, and whether its light was changed.
-  std::vector<std::pair<std::string, bool>> judged_jobs;
+  std::vector<std::pair<std::string, bool>> evaluated_jobs;
   /// Reason of failure of the first trial that failed; empty: none failed.
   std::string first_failure;
 };
@@ -64,7 +64,7 @@ BenchOutcome run_bench(const BenchList& list, const BenchTarget& target, const E
 /// Rows of the trials finished so far.
 BenchOutcome collect_bench(const BenchList& list, const BenchTarget& target, const BenchHost& host);
 
-/// Writes table.md and table.csv into OUT; returns the text of table.md. It ends with the judgement of the
+/// Writes table.md and table.csv into OUT; returns the text of table.md. It ends with the figures of the
 /// single frames, pooled over all finished jobs and over those with normal and with changed light, whose
 /// results are read for it.
 std::string write_bench_tables(const BenchList& list, const BenchOutcome& outcome, const BenchTarget& target,

@@ -7,6 +7,7 @@
 #include "edgevo/core/params.h"
 #include "edgevo/core/records.h"
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 
 namespace edgevo {
 
@@ -41,15 +42,15 @@ struct Trial {
   /// of the whole sequence (TrajectoryEvaluation::scale_curve), percent: 100 for half and for double the
   /// scale.
   double scale_error_percent = 0;
-  /// Number of doubtful frames (core/doubtful_intervals.h).
+  /// Number of doubtful frames (core/doubtful_frame.h).
   int doubtful_frames = 0;
   /// Whether `edgevo run` would end with exit code 3: most frames have no pose, or too many are doubtful.
   bool has_failed = false;
 
-  // Judgement of the single frames of the live trajectory (evaluation/judgement_figures.h).
+  // Errors of the single frames of the live trajectory (frame_evaluation/frame_figures.h).
 
   /// Number of frames evaluated, wrong, and wrong and noticed.
-  int judged_frames = 0, wrong_frames = 0, noticed_frames = 0;
+  int evaluated_frames = 0, wrong_frames = 0, noticed_frames = 0;
   /// Number of right frames, and of those with an alarm.
   int right_frames = 0, false_alarms = 0;
   /// Longest intervals of wrong frames, and of frames whose scale is off, without a word, frames.
@@ -66,7 +67,7 @@ Trial trial_of(const Run& run, double cpu_s);
 
 /// Adds the error figures to a trial.
 void add_errors(const TrajectoryEvaluation& evaluation, Trial* trial);
-/// Adds the judgement of its frames to a trial.
-void add_judgement(const JudgementFigures& figures, Trial* trial);
+/// Adds the figures of its frames to a trial.
+void add_frame_figures(const FrameFigures& figures, Trial* trial);
 
 }  // namespace edgevo

@@ -20,6 +20,9 @@ struct RunCalibration {
 
 /// Throws InputError: no summary.yaml in the folder, or one without a readable camera or self_calibration.
 RunCalibration read_run_calibration(const std::string& run_folder);
+/// The same with the camera of a file, which has all digits; empty `camera_file`: that of the summary. Throws
+/// InputError if it is not the camera that the run used.
+RunCalibration read_run_calibration(const std::string& run_folder, const std::string& camera_file);
 
 /// The run's camera with its residual distortion folded in; unchanged if self-calibration found none. Throws
 /// InputError, which says what to do, when self-calibration was off or undetermined: the camera was then not

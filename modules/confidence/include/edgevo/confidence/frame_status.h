@@ -48,7 +48,7 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
 /// The same for a pose that is held while the camera stands: known from before, it needs no points in view.
 FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params);
 /// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
-/// (core/doubtful_intervals.h), or after a giant step, with the reason for the doubt after that of the image.
+/// (core/doubtful_frame.h), or after a giant step, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
 /// Status of a frame whose pose is refused, as after a step beyond MotionModel::largest_step(): LOST for that

@@ -126,6 +126,9 @@ struct KeyframeRecord {
   bool is_doubtful = false;
 };
 
+/// Largest residual k1 that self-calibration considers: beyond it a camera file is wrong in another way.
+constexpr double kLargestResidualK1 = 0.03;
+
 /// Result of self-calibration: images under the file's model are distorted by k1 (radial.h), of another size
 /// by the focal length, and read row by row in readout_s (ImageCorrection).
 struct CameraRefinement {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/evaluation/association.h"
 #include "edgevo/evaluation/similarity_fit.h"
+#include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo {
 

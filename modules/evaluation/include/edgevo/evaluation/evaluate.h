@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "edgevo/evaluation/absolute_error.h"
-#include "edgevo/evaluation/judgement_figures.h"
 #include "edgevo/evaluation/relative_error.h"
 #include "edgevo/evaluation/trajectory.h"
 
@@ -26,8 +25,6 @@ struct EvaluationOptions {
   int rescale_block_frames = 200;
   /// Maximum drift that an interval counts, cm/m (relative_error.h).
   double drift_cap_cm_per_m = 30;
-  /// For the single frames of a run: JudgementRules::stated_noise.
-  TruthNoise stated_noise;
 };
 
 /// Coverage of the input frames by poses; completion, failure and late start add up to 100 percent.
@@ -80,11 +77,6 @@ struct TrajectoryEvaluation {
   int scale_window_frames = 0;
   /// Local scale, estimate over ground truth, relative to the whole run.
   std::vector<ScalePoint> scale_curve;
-  /// Judgement of the single frames, which needs more of a run than its trajectory (judge_folder()); empty
-  /// unless the caller adds it.
-  std::vector<NamedFigures> judgement;
-  /// Noise of the ground truth, with `judgement`.
-  TruthNoise truth_noise;
 };
 
 /// Computes all figures. Throws InputError for fewer than three matches, a trajectory whose positions all
@@ -96,7 +88,14 @@ TrajectoryEvaluation evaluate(const Trajectory& estimate, const Trajectory& grou
 /// Evaluation as aligned text: alignment, number of poses or intervals, value and unit of each figure.
 std::string to_table(const TrajectoryEvaluation& evaluation);
 
-/// Evaluation as one JSON object, indented by two spaces.
-std::string to_json(const TrajectoryEvaluation& evaluation);
+/// A member of a JSON object.
+struct JsonMember {
+  /// Its name.
+  std::string name;
+  /// Its value, as JSON.
+  std::string value;
+};
+/// Evaluation as one JSON object, indented by two spaces; `more` are its last members.
+std::string to_json(const TrajectoryEvaluation& evaluation, const std::vector<JsonMember>& more = {});
 
 }  // namespace edgevo

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/evaluation/association.h"
+#include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo {
 
@@ -43,8 +43,8 @@ struct Drift {
   std::vector<OfLength> by_length;
 };
 
-/// Drift of `metric_matches`, which are Association::matches with T_est in metres (rescale_blocks()), over
-/// `frames`, which are Association::frames; nullopt if no interval fits, for instance if the camera never
+/// Drift of `metric_matches`, which are TimeMatches::matches with T_est in metres (rescale_blocks()), over
+/// `frames`, which are TimeMatches::frames; nullopt if no interval fits, for instance if the camera never
 /// moves. Cost: frames times lengths.
 std::optional<Drift> drift(const std::vector<EvaluatedFrame>& frames,
                            const std::vector<MatchedPose>& metric_matches, double cap_cm_per_m);

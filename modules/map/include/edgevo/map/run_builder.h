@@ -52,7 +52,7 @@ class RunBuilder {
   /// Live poses of a segment up to `last_frame`: the last `at_most` of them, oldest first.
   std::vector<TimedPose> last_poses(int segment, int last_frame, size_t at_most) const;
   /// The last `count` live poses in a row of a segment, up to `last_frame`, none of them doubtful
-  /// (core/doubtful_intervals.h), oldest first; empty if there is no such row.
+  /// (core/doubtful_frame.h), oldest first; empty if there is no such row.
   std::vector<TimedPose> last_sure_poses(int segment, int last_frame, size_t count) const;
   /// Pose in the segment's map of the last frame before `frame_index` that has one; nothing if that frame is
   /// of another segment.

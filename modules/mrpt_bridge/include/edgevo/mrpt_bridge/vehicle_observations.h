@@ -31,7 +31,7 @@ mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, cons
 /// The vehicle pose projected to the plane.
 mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
                                                                const SE3& T_world_cam);
-/// What speaks against the pose of a doubtful frame (core/doubtful_intervals.h); null if it is not doubtful.
+/// What speaks against the pose of a doubtful frame (core/doubtful_frame.h); null if it is not doubtful.
 mrpt::obs::CObservationComment::Ptr make_doubt_observation(const FrameRecord& frame);
 
 }  // namespace edgevo

@@ -5,8 +5,8 @@
 
 namespace edgevo {
 
-/// Brings the parts of a finished run whose units of length nothing links (core/doubtful_intervals.h), or
-/// features less certainly, to one unit, by the camera's height over the ground before and after
+/// Brings the parts of a finished run whose units of length nothing links (run_quality/doubtful_intervals.h),
+/// or features less certainly, to one unit, by the camera's height over the ground before and after
 /// (ground_height.h): for vehicles, whose height does not change. It averages over a part, features over two
 /// views of it. A part that shows no ground keeps the unit it has. Final poses, depths and
 /// covariances change; live poses are those of their time. What links two neighbouring parts is written to

@@ -28,7 +28,7 @@ void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path)
 /// The final path in one unit of length.
 struct UnitPath {
   /// Number of the unit, from 0 on: another one begins at each doubt after which nothing links the unit of
-  /// length to that before (core/doubtful_intervals.h).
+  /// length to that before (run_quality/doubtful_intervals.h).
   int unit = 0;
   /// Within one segment.
   Path path;

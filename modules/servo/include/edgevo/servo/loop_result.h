@@ -7,7 +7,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
-#include "edgevo/core/run_statistics.h"
+#include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/servo/control_laws.h"
 #include "edgevo/servo/motion_plan.h"
 

@@ -38,7 +38,7 @@ struct ServoFeedOptions {
   double max_prediction_s = 0.3;
   /// Largest interval between two frames from which a velocity is computed.
   double max_step_s = 0.5;
-  /// Smallest p_right of a usable pose, 0 to 1; kDoubtfulBelow (core/doubtful_intervals.h) stops the robot on
+  /// Smallest p_right of a usable pose, 0 to 1; kDoubtfulBelow (core/doubtful_frame.h) stops the robot on
   /// every doubt. A pose of unknown p_right is usable.
   double min_p_right = 0;
 };

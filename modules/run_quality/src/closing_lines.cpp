@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/run_quality/closing_lines.h"
+
+#include "edgevo/core/formatted.h"
+#include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/run_statistics.h"
+#include "edgevo/run_quality/run_warnings.h"
+
+namespace edgevo {
+
+namespace {
+
+// The longest intervals, in time order: what a console has room for.
+void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
+  constexpr size_t kShown = 5;
+  const std::vector<DoubtfulInterval> all = doubtful_intervals(run);
+  const std::vector<DoubtfulInterval> shown = longest(all, kShown);
+  for (const DoubtfulInterval& interval : shown)
+    lines->push_back({"NOT TO BE TRUSTED: " + to_string(interval), true});
+  if (shown.size() < all.size())
+    lines->push_back(
+        {formatted("and %zu shorter intervals, listed in summary.yaml", all.size() - shown.size()), true});
+}
+
+}  // namespace
+
+std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, bool include_doubtful) {
+  const RunCounts n = count(run);
+  std::vector<ClosingLine> lines;
+  lines.push_back({formatted("%d frames, %d with a pose, %d doubtful, %d segment(s), %d keyframes, %zu edge "
+                             "points, %zu lines; scale ",
+                             n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines) +
+                   run.scale_source});
+  add_doubtful(run, &lines);
+  if (n.doubtful_keyframes > 0 && !include_doubtful)
+    lines.push_back(
+        {formatted("%d keyframes were made in doubt: the maps are without their points "
+                   "(--include-doubtful)",
+                   n.doubtful_keyframes)});
+  if (run.realtime) lines.push_back({latency_statement(run)});
+  for (const std::string& warning : run_warnings(run)) lines.push_back({"WARNING: " + warning, true});
+  lines.push_back({"results in " + out + " (listed in summary.yaml)"});
+  return lines;
+}
+
+std::optional<std::string> failure_statement(const Run& run, const std::string& what,
+                                             const std::string& earlier) {
+  const RunCounts n = count(run);
+  if (!n.mostly_failed() && !n.is_largely_doubtful()) return std::nullopt;
+  const std::string reason = commonest_doubt(run);
+  const std::string problem = n.mostly_failed()
+                                  ? "tracking failed for most of " + what
+                                  : std::to_string(n.doubtful_poses()) + " of " +
+                                        std::to_string(n.with_pose) + " poses of " + what + " are doubtful";
+  return problem + "; mostly: " + (reason.empty() ? "no reason was noted" : reason) +
+         (earlier.empty() ? "" : "; the earlier run is kept in " + earlier);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/run_quality/run_warnings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "edgevo/core/output_file.h"
+
+namespace edgevo {
+
+namespace {
+
+struct SeenFocalLength {
+  double error = 0, sigma = 0;
+};
+
+// Corners show most of an error, matches two fifths of it, but small ones more exactly.
+std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
+  constexpr double kSigmas = 3;
+  const auto newest = std::find_if(run.frames.rbegin(), run.frames.rend(), [](const FrameRecord& frame) {
+    return std::isfinite(frame.evidence.focal_error);
+  });
+  if (newest != run.frames.rend()) {
+    const FrameEvidence& e = newest->evidence;
+    if (std::abs(e.focal_error) > kSigmas * e.focal_error_sigma)
+      return SeenFocalLength{e.focal_error, e.focal_error_sigma};
+  }
+  const CameraRefinement::Lens& lens = run.camera.lens;
+  if (run.camera.correction.focal != 0) return std::nullopt;
+  if (lens.contradicts_file()) return SeenFocalLength{lens.focal, lens.focal_sigma};
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool ran_to_limit(const CameraRefinement& camera) {
+  constexpr double kClamped = 0.999;  // rounding may differ
+  return camera.sigma > 0 && std::abs(camera.estimate) >= kClamped * kLargestResidualK1;
+}
+
+std::vector<std::string> run_warnings(const Run& run) {
+  std::vector<std::string> warnings;
+  const CameraRefinement& c = run.camera;
+  if (c.state == CameraRefinement::State::kAtLimit)
+    warnings.push_back(
+        "The lens distortion that self-calibration found (" + fixed(c.estimate, 4) +
+        ") is at its limit and was not applied: the camera file is probably wrong, in its focal length most "
+        "of all, or by distortion for images that are rectified already. Path and map are then wrong by far "
+        "more than any figure here shows.");
+  // Its prior keeps an estimate that nothing supports near 0, however straight the motion.
+  if (c.state == CameraRefinement::State::kNotObservable && ran_to_limit(c))
+    warnings.push_back("The lens distortion that self-calibration looked for ran to its limit (" +
+                       fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
+                       ") and was not applied: the camera file is probably wrong, in its focal length, its "
+                       "image size or its distortion (is the image rectified already?), or the path is.");
+  if (const std::optional<SeenFocalLength> seen = contradicting_focal_length(run))
+    warnings.push_back("By the motion, the focal length is " + fixed(100 * seen->error, 1) + " +- " +
+                       fixed(100 * seen->sigma, 1) +
+                       " % off the camera file's: calibrate the camera (edgevo calibrate --chessboard, or "
+                       "--from-motion).");
+  if (c.correction.focal != 0)
+    warnings.push_back(
+        "The focal length is " + fixed(100 * c.correction.focal, 1) + " +- " +
+        fixed(100 * c.focal_length.sigma, 1) +
+        " % off the camera file's, by the motion, and was corrected during the run. Run again with a "
+        "camera file of edgevo calibrate RUN, or of a board (edgevo calibrate --chessboard).");
+  if (c.shutter.state == CameraRefinement::State::kAtLimit)
+    warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
+                       " s) is at its limit and was not applied: the camera file or the times of the images "
+                       "are probably wrong.");
+  if (run.is_metric() && run.scale_varies())
+    warnings.push_back(
+        "The scale that " + run.scale_source + " gave varied from " + fixed(run.scale.lowest, 2) + " to " +
+        fixed(run.scale.highest, 2) +
+        " along the run: the odometry's own scale was not steady, so that lengths in between are "
+        "uncertain. Causes: a wrong focal length, or a map lost during the run.");
+  return warnings;
+}
+
+}  // namespace edgevo

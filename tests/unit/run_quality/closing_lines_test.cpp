@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/run_quality/closing_lines.h"
+
+#include <gmock/gmock.h>
+
+namespace edgevo {
+namespace {
+
+using ::testing::HasSubstr;
+
+Run run_with_poses(int frames, int with_pose) {
+  Run run;
+  for (int i = 0; i < frames; ++i) {
+    FrameRecord frame;
+    frame.index = i;
+    frame.state = i < with_pose ? TrackingState::kTracking : TrackingState::kLost;
+    frame.p_right = 0.99;
+    if (i < with_pose) frame.T_world_cam = SE3();
+    if (i >= with_pose) frame.note = "few edges";
+    run.frames.push_back(frame);
+  }
+  return run;
+}
+
+TEST(ClosingLines, BeginWithTheCountsAndEndWithTheFolder) {
+  const std::vector<ClosingLine> lines = closing_lines(run_with_poses(10, 10), "out");
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_THAT(lines.front().text, HasSubstr("10 frames, 10 with a pose, 0 doubtful"));
+  EXPECT_EQ(lines.back().text, "results in out (listed in summary.yaml)");
+}
+
+TEST(ClosingLines, WhatIsNotToBeTrustedIsAWarning) {
+  const std::vector<ClosingLine> lines = closing_lines(run_with_poses(10, 6), "out");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[1].is_warning);
+  EXPECT_EQ(lines[1].text, "NOT TO BE TRUSTED: frames 6 to 9: few edges");
+}
+
+TEST(FailureStatement, GivesTheCommonestReason) {
+  EXPECT_FALSE(failure_statement(run_with_poses(10, 9), "seq"));
+  EXPECT_EQ(*failure_statement(run_with_poses(10, 2), "seq", "out/earlier_run"),
+            "tracking failed for most of seq; mostly: few edges; the earlier run is kept in out/earlier_run");
+}
+
+}  // namespace
+}  // namespace edgevo
