@@ -173,4 +173,10 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
   return scale_images(subsample(std::move(source), options), options.image_scale);
 }
 
+std::unique_ptr<ImageSource> open_source(const std::string& path) {
+  SourceOptions options;
+  options.path = path;
+  return open_source(options);
+}
+
 }  // namespace edgevo

@@ -6,6 +6,7 @@
 
 #include "edgevo/core/angle.h"
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/evaluation/judgement_figures.h"
 
 namespace edgevo {
 namespace {

@@ -11,44 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/evaluation/figures.h"
 #include "edgevo/evaluation/frame_judge.h"
 
 namespace edgevo {
-
-/// Quantiles of the normalised squared errors of the poses; expected median of six degrees of freedom 5.3,
-/// 5 % below 1.6, 5 % above 12.6.
-struct NeesFigures {
-  /// Number of frames.
-  int frames = 0;
-  /// Quantiles at 5, 50 and 95 %.
-  double low = 0, median = 0, high = 0;
-};
-
-/// Figures of the judgement. Absent: there is no frame of that kind.
-struct JudgementFigures {
-  /// Number of runs, and of their input frames.
-  int runs = 0, frames = 0;
-  /// Number of frames evaluated, and of those that cannot be for the noise of the truth.
-  int frames_judged = 0, below_noise = 0;
-  /// Number of wrong frames, and of those that the program notices.
-  int wrong = 0, noticed = 0;
-  /// Number of right frames (without the ten after a wrong one), and of those that raise an alarm.
-  int right = 0, false_alarms = 0;
-  /// RunJudgement::longest_unnoticed and longest_off_scale of the worst run, frames.
-  int longest_unnoticed = 0, longest_off_scale = 0;
-  /// Recall: noticed / wrong; false alarms / right; percent.
-  std::optional<double> recall_percent, false_alarm_percent;
-  /// Area under the ROC: the probability that a wrong frame has a lower score (FrameVerdict::score) than a
-  /// right one, equal ones counting half; 0.5: the score says nothing.
-  std::optional<double> roc;
-  /// Whether the score is that of the state in some run, since p_right is unknown.
-  bool is_roc_of_state = false;
-  /// Expected calibration error: difference between the mean p_right and the share of right motions, over ten
-  /// bins of equal width, weighted by their frames. A p_right speaks of the ten frames up to it.
-  std::optional<double> calibration_error;
-  /// NEES over six degrees of freedom.
-  std::optional<NeesFigures> nees;
-};
 
 /// Figures pooled over runs. Cost: frames times the logarithm of their number.
 JudgementFigures figures_of(const std::vector<RunJudgement>& runs);
@@ -67,14 +33,6 @@ RunJudgements judge_run(const Run& run, const Trajectory& truth, const Judgement
 /// The same from the folder of a run (read_claims()). Throws InputError.
 RunJudgements judge_folder(const std::string& folder, const Trajectory& truth,
                            const JudgementRules& rules = {});
-
-/// Figures with their title: a run, or a group of runs.
-struct NamedFigures {
-  /// Title of the row.
-  std::string name;
-  /// The figures.
-  JudgementFigures figures;
-};
 
 /// Aligned text: a line of titles, then a line for each.
 std::string judgement_table(const std::vector<NamedFigures>& rows);
