@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The core without MRPT, ViSP, OctoMap and X11: it configures where they are not installed, and an external program that links
-# edgevo::odometry only builds, loads none of them and tracks a rendered sequence.
+# edgevo::facade only builds, loads none of them, links no reader of data sets and tracks a rendered sequence.
 # cmake -DROOT=SOURCES -DPREFIX=INSTALLATION -DWORK=... -DSOURCE=... -DSEQUENCE=... -DGENERATOR=... [-DFLAGS=...] -P consumer_core_test.cmake
 set(hidden)
 foreach(package IN ITEMS MRPT mrpt-core mrpt-obs VISP octomap X11)
@@ -30,7 +30,12 @@ function(refused component pattern)
 endfunction()
 
 file(REMOVE_RECURSE ${WORK})
-run(ignored ${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/core -G ${GENERATOR} "-DEDGEVO_BUILD_MODULES=odometry\;scale\;evaluation" ${hidden})
+run(ignored ${CMAKE_COMMAND} -S ${ROOT} -B ${WORK}/core -G ${GENERATOR} "-DEDGEVO_BUILD_MODULES=facade\;scale" ${hidden})
+# The small build has the facade, and no module that reads data sets (MRPT, FFmpeg, SQLite, libexif).
+file(STRINGS ${WORK}/core/edgevoConfig.cmake modules REGEX "^set._edgevo_modules ")
+if(NOT modules MATCHES " facade" OR modules MATCHES " (datasets|mrpt_bridge|visp_bridge|occupancy)")
+  message(FATAL_ERROR "the small build has other modules than it should: ${modules}")
+endif()
 refused(viewer "edgevo::[a-z_]+ needs (MRPT|X11), which was not found; install it")
 refused(occupancy "edgevo::occupancy needs octomap, which was not found; install it")
 refused(odometri "there is no component odometri; this edgevo has: core ")
@@ -41,9 +46,9 @@ run(ignored ${CMAKE_COMMAND} --build ${WORK}/build)
 run(loaded ldd ${WORK}/build/consumer_core)
 run(direct objdump -p ${WORK}/build/consumer_core)
 string(REGEX MATCHALL "lib(mrpt|visp|octomap|octomath)[^ \n]*" unwanted "${loaded}")
-string(REGEX MATCHALL "NEEDED +lib(X11|mrpt|visp|octo)[^ \n]*" more "${direct}")
+string(REGEX MATCHALL "NEEDED +lib(X11|mrpt|visp|octo|av|sqlite3|exif|xml2)[^ \n]*" more "${direct}")
 if(unwanted OR more)
-  message(FATAL_ERROR "the odometry brings ${unwanted} ${more}")
+  message(FATAL_ERROR "the facade brings ${unwanted} ${more}")
 endif()
 run(said ${WORK}/build/consumer_core ${SEQUENCE})
 message(STATUS "${said}")

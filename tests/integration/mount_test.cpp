@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationRobotPose.h>
+#include <algorithm>
 
 #include <map>
 

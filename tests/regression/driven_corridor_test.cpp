@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The default map of a run does not block the corridor that the vehicle drove through.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "edgevo/occupancy/grid_map.h"
 #include "edgevo/results/run_maps.h"

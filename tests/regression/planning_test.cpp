@@ -6,6 +6,8 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/nav/planners/PlannerSimple2D.h>
 #include <mrpt/serialization/CArchive.h>
+#include <algorithm>
+#include <deque>
 
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
 #include "edgevo/occupancy/grid_map.h"

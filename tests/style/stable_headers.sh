@@ -10,7 +10,7 @@ status=0
 for header in $stable; do
   [ -e modules/*/include/"$header" ] || { echo "$page: $header: no such header"; status=1; }
 done
-included=$(grep -r -h -o -E '#include [<"]edgevo/[a-z0-9_/]+\.h' share/examples share/doc/tutorials tests/integration/consumer |
+included=$(grep -r -h -o -E '#include [<"]edgevo/[a-z0-9_/]+\.h' share/examples share/doc/tutorials tests/integration/consumer* |
   sed 's/.*[<"]//' | sort -u)
 for header in $included; do
   printf '%s\n' "$stable" | grep -q -x -F "$header" || { echo "$header is included by an example, but not stable by $page"; status=1; }

@@ -7,6 +7,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
+#include "edgevo/evaluation/association.h"
 #include "edgevo/evaluation/evaluate.h"
 
 namespace edgevo::test {

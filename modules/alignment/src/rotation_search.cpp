@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/alignment/rotation_search.h"
+#include "rotation_search.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "edgevo/alignment/rotation_search.h"
 #include "edgevo/core/order_statistics.h"
+#include "rotation_search.h"
 
 namespace edgevo {
 namespace {

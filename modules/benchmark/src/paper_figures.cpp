@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/benchmark/paper_figures.h"
+#include "paper_figures.h"
 
 namespace edgevo {
 

@@ -7,13 +7,13 @@
 #include <set>
 
 #include "edgevo/benchmark/bench_run.h"
-#include "edgevo/benchmark/paper_tables.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/datasets/source_folder.h"
 #include "edgevo/datasets/surveys.h"
 #include "edgevo/files/program_folder.h"
+#include "paper_tables.h"
 
 namespace edgevo {
 namespace {

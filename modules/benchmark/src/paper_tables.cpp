@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/benchmark/paper_tables.h"
+#include "paper_tables.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 
-#include "edgevo/benchmark/paper_figures.h"
+#include "paper_figures.h"
 
 namespace edgevo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/datasets/mounted_source.h"
+#include "mounted_source.h"
 
 #include "edgevo/core/wrapped_source.h"
 

@@ -9,12 +9,12 @@
 #include "camera_fit.h"
 #include "edgevo/core/error.h"
 #include "edgevo/datasets/camera_file.h"
-#include "edgevo/datasets/mounted_source.h"
 #include "edgevo/datasets/scaled_source.h"
 #include "edgevo/datasets/source_folder.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "layouts/layout.h"
+#include "mounted_source.h"
 #include "symphony_archive.h"
 #include "text_file.h"
 #include "video_source.h"
@@ -171,6 +171,12 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
   refuse_camera_scale(options, *source);
   source = with_mount(with_camera_doubt(std::move(source)), options);
   return scale_images(subsample(std::move(source), options), options.image_scale);
+}
+
+std::unique_ptr<ImageSource> open_source(const std::string& path) {
+  SourceOptions options;
+  options.path = path;
+  return open_source(options);
 }
 
 }  // namespace edgevo

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "edgevo/core/error.h"
+#include "edgevo/evaluation/absolute_error.h"
+#include "edgevo/evaluation/relative_error.h"
 
 namespace edgevo {
 namespace {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/evaluation/judgement_figures.h"
 
 namespace edgevo {
 namespace {

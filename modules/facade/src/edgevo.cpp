@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/edgevo.h"
 
-namespace edgevo {
+#include "edgevo/evaluation/evaluate.h"
 
-std::unique_ptr<ImageSource> open_source(const std::string& path) {
-  SourceOptions options;
-  options.path = path;
-  return open_source(options);
-}
+namespace edgevo {
 
 TrajectoryEvaluation evaluate(const Run& run, const std::string& ground_truth) {
   EvaluationOptions options;

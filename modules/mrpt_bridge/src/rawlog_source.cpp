@@ -15,9 +15,9 @@
 #include "edgevo/mrpt_bridge/rawlog_image.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
-#include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 #include "rawlog_images_folder.h"
 #include "rawlog_survey.h"
+#include "vehicle_track_reader.h"
 
 namespace edgevo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/mrpt_bridge/vehicle_track_reader.h"
+#include "vehicle_track_reader.h"
 
 #include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationOdometry.h>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/tracking/frame_view.h"
 #include "grabber.h"
 #include "sensor_config.h"
 

@@ -297,6 +297,10 @@ void Odometry::Impl::say(const Frame& frame, const std::string& what) const {
   if (options.log) options.log("frame " + std::to_string(frame.index) + ": " + what);
 }
 
+Rectification rectification_of(const Camera& camera, const OdometryOptions& options) {
+  return rectification_of(camera, options.working_pinhole);
+}
+
 Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
     : impl_(std::make_unique<Impl>(rectification_of(camera, options), params, options)) {}
 Odometry::~Odometry() = default;

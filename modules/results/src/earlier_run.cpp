@@ -7,9 +7,9 @@
 #include "edgevo/core/error.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/results/recovery_log.h"
-#include "edgevo/results/run_files.h"
 #include "growing_file.h"
 #include "recovery_format.h"
+#include "run_files.h"
 
 namespace edgevo {
 namespace {

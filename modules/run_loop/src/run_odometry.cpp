@@ -6,8 +6,8 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
-#include "edgevo/run_loop/load_control.h"
 #include "lenient_source.h"
+#include "load_control.h"
 
 namespace edgevo {
 namespace {

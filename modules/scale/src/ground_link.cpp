@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/scale/ground_link.h"
+#include "ground_link.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/path.h"
-#include "edgevo/scale/sliding_scale.h"
 #include "edgevo/scale/track_scale.h"
 #include "rescale.h"
+#include "sliding_scale.h"
 
 namespace edgevo {
 namespace {

@@ -8,9 +8,9 @@
 #include "edgevo/core/time_order.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/scale/given_scale.h"
-#include "edgevo/scale/ground_link.h"
 #include "edgevo/scale/run_scale.h"
 #include "edgevo/scale/track_scale.h"
+#include "ground_link.h"
 
 namespace edgevo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/scale/sliding_scale.h"
+#include "sliding_scale.h"
 
 #include <algorithm>
 #include <cmath>

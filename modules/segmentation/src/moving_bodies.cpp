@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "edgevo/alignment/projection.h"
-#include "edgevo/segmentation/moving_group.h"
+#include "moving_group.h"
 
 namespace edgevo {
 namespace {

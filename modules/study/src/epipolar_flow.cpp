@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/study/epipolar_flow.h"
+#include "epipolar_flow.h"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/study/pair_matcher.h"
 #include "edgevo/study/study.h"
+#include "pair_matcher.h"
 
 namespace edgevo {
 

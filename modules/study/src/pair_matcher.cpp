@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/study/pair_matcher.h"
+#include "pair_matcher.h"
 
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/video/tracking.hpp>
 
 #include "edgevo/association/warp.h"
-#include "edgevo/study/epipolar_flow.h"
+#include "epipolar_flow.h"
 
 namespace edgevo {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <mrpt/gui/CDisplayWindow3D.h>
 #include <mrpt/opengl/COpenGLScene.h>
+#include <algorithm>
 
 #include <chrono>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/visp_bridge/conversions.h"

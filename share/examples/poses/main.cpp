@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // poses SOURCE: images in, poses out.
 #include <edgevo/edgevo.h>
+#include <edgevo/sources.h>
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // consumer_core FOLDER: tracks the images of a folder that `edgevo simulate` wrote (images/, times.txt,
-// camera.txt). Ends with code 0 if at least 95 % of them have a pose.
-#include <edgevo/odometry/odometry.h>
+// camera.txt, groundtruth_tum.txt). Ends with code 0 if at least 95 % of them have a pose.
+#include <edgevo/edgevo.h>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -53,6 +53,8 @@ int main(int argc, char** argv) {
     const size_t frames = run.frames.size(),
                  poses = size_t(std::count_if(run.frames.begin(), run.frames.end(), has_pose));
     std::printf("%zu of %zu frames have a pose\n", poses, frames);
+    std::fputs(to_table(edgevo::evaluate(run, std::string(argv[1]) + "/groundtruth_tum.txt")).c_str(),
+               stdout);
     return frames > 0 && 100 * poses >= 95 * frames ? 0 : 1;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "consumer_core: %s\n", e.what());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The paper's tables: its printed figures, ours next to them, failures always included.
-#include "edgevo/benchmark/paper_tables.h"
+#include "paper_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "edgevo/benchmark/paper_figures.h"
+#include "paper_figures.h"
 
 namespace edgevo {
 namespace {

@@ -63,9 +63,11 @@ std::vector<Include> includes_of(const std::string& text) {
   return found;
 }
 
-// "edgevo/NAME/X.h" -> NAME. The one header for programs, edgevo/edgevo.h, is the facade.
+// "edgevo/NAME/X.h" -> NAME. Two headers for programs lie above: edgevo/edgevo.h and edgevo/sources.h.
 std::string module_used(const std::string& include) {
-  return include == "edgevo/edgevo.h" ? "facade" : include.substr(7, include.find('/', 7) - 7);
+  if (include == "edgevo/edgevo.h") return "facade";
+  if (include == "edgevo/sources.h") return "datasets";
+  return include.substr(7, include.find('/', 7) - 7);
 }
 
 std::string module_rule(const std::string& user, const Include& include,

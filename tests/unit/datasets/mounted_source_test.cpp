@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A mount that the user gives, on the command line or in the camera file.
-#include "edgevo/datasets/mounted_source.h"
+#include "mounted_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

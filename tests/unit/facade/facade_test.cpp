@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The facade alone: every type that a program needs comes with this one header.
+// The facade: every type that a program needs comes with this header, and edgevo/sources.h for files.
 #include "edgevo/edgevo.h"
 
 #include <gmock/gmock.h>
@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "edgevo/sources.h"
 #include "support/hollow_scene.h"
 #include "support/temp_folder.h"
 

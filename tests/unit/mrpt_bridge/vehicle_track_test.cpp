@@ -9,8 +9,8 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/mrpt_bridge/gridmap_writer.h"
-#include "edgevo/mrpt_bridge/vehicle_track_reader.h"
 #include "rawlog_test_tools.h"
+#include "vehicle_track_reader.h"
 
 namespace edgevo {
 namespace {

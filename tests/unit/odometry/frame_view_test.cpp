@@ -8,6 +8,8 @@
 #include <memory>
 #include <set>
 
+#include "edgevo/map/map_log.h"
+#include "edgevo/tracking/frame_view.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "edgevo/map/map.h"
 #include "edgevo/map/run_builder.h"
 #include "unit/odometry/rendered_runs.h"
 

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "edgevo/map/map_log.h"
+#include "edgevo/mapping/shedding.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo {

@@ -9,8 +9,8 @@
 #include "edgevo/benchmark/trial.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/occupancy/line_table.h"
-#include "edgevo/results/run_files.h"
 #include "edgevo/results/run_text.h"
+#include "run_files.h"
 #include "written_run.h"
 
 namespace edgevo {

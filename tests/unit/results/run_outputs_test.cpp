@@ -16,7 +16,7 @@
 
 #include "edgevo/core/input_file.h"
 #include "edgevo/occupancy/edge_ply_reader.h"
-#include "edgevo/results/run_files.h"
+#include "run_files.h"
 #include "written_run.h"
 
 namespace edgevo {

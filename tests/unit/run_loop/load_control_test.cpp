@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/run_loop/load_control.h"
+#include "load_control.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "edgevo/core/bad_frame.h"
+#include "edgevo/map/map_log.h"
 
 namespace edgevo {
 namespace {

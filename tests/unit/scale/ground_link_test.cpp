@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A drive that loses its unit of length in two seconds without sight.
-#include "edgevo/scale/ground_link.h"
+#include "ground_link.h"
 
 #include <gtest/gtest.h>
 

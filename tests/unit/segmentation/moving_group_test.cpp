@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/segmentation/moving_group.h"
+#include "moving_group.h"
 
 #include <gtest/gtest.h>
 

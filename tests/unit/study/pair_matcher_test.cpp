@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Each matching method on two views of a plane, against the exact correspondences.
-#include "edgevo/study/pair_matcher.h"
+#include "pair_matcher.h"
 
 #include <gtest/gtest.h>
 
-#include "edgevo/study/epipolar_flow.h"
 #include "edgevo/study/match_error.h"
+#include "epipolar_flow.h"
 #include "plane_pair.h"
 
 namespace edgevo {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/study/two_view_solve.h"
+#include "two_view_solve.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Synthetic results of an odometry, for the tests of the servo feed.
+#include "edgevo/alignment/reference.h"
 #include "edgevo/odometry/newest_pose.h"
 
 namespace edgevo::test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// All that a program needs to turn images into poses, in one header. An example: share/examples/poses.
+// All that a program needs to turn images into poses, in one header, which needs Eigen only. Images and
+// cameras from files: edgevo/sources.h. An example of both: share/examples/poses.
 //
-//   Camera, read_camera_file  the camera that takes the images, from a calibration file
+//   Camera                  the camera that takes the images
 //   GrayImage, Frame        an 8-bit gray image in memory, with its number and its time
-//   ImageSource, open_source  a recording, a folder of images, a video or a live camera, by its path
 //   OdometryParams          what the odometry estimates and how; read_params_file() reads them
 //   OdometryOptions         how it works: seed, threads, log
 //   Odometry                frames in, poses out
@@ -15,24 +15,18 @@
 //
 // Objects are independent: several odometries may run in one process, each in a thread of its own. None of
 // them prints, exits or changes a setting of the process.
-#include <memory>
 #include <string>
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/image.h"
-#include "edgevo/core/image_source.h"
+#include "edgevo/core/params.h"
 #include "edgevo/core/records.h"
-#include "edgevo/datasets/camera_file.h"
-#include "edgevo/datasets/open_source.h"
-#include "edgevo/evaluation/evaluate.h"
+#include "edgevo/evaluation/figures.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
-
-/// Opens a source with its own calibration (open_source.h). Throws InputError.
-std::unique_ptr<ImageSource> open_source(const std::string& path);
 
 /// Errors of the final poses of a run against ground truth. `ground_truth`: a TUM or KITTI file. Throws
 /// InputError for a file that cannot be used, or fewer than three common poses.

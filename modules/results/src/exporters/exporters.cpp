@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "exporters.h"
 
-#include "edgevo/results/run_files.h"
+#include "run_files.h"
 
 namespace edgevo {
 

@@ -85,4 +85,7 @@ void set_frame_range(const std::string& text, SourceOptions* options);
 /// been delivered.
 std::unique_ptr<ImageSource> open_source(const SourceOptions& options);
 
+/// Opens a source as it is, with its own calibration. Throws InputError.
+std::unique_ptr<ImageSource> open_source(const std::string& path);
+
 }  // namespace edgevo

@@ -6,8 +6,8 @@
 // (detectors/all_detectors.h), or a table with its own.
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "edgevo/edges/edge_detector_table.h"
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/edges/edge_probability.h"
 #include "edgevo/edges/gradient.h"
@@ -31,24 +31,6 @@ class EdgeDetector {
   /// Returns a mask of the size of the image, nonzero at edge pixels; edges are one or two pixels thick.
   virtual Plane<uint8_t> detect(const EdgeImage& image) = 0;
 };
-
-/// A detector that a program offers.
-struct EdgeDetectorKind {
-  /// Name for edges.detector and --detector.
-  const char* name;
-  /// Short description for --help.
-  const char* what;
-  /// Factory of the detector; never null.
-  std::unique_ptr<EdgeDetector> (*make)(const EdgeParams& params);
-  /// Factory of the probability that it needs; null if none.
-  std::unique_ptr<EdgeProbability> (*make_probability)(const EdgeParams& params) = nullptr;
-};
-
-/// The detectors that a program offers.
-using EdgeDetectorTable = std::vector<EdgeDetectorKind>;
-
-/// Table with Canny alone.
-const EdgeDetectorTable& basic_edge_detectors();
 
 /// Help text of a table: "canny (...), edge_drawing (...)".
 std::string edge_detector_help(const EdgeDetectorTable& table);

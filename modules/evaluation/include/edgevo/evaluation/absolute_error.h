@@ -10,20 +10,11 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/evaluation/figures.h"
 #include "edgevo/evaluation/similarity_fit.h"
 #include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo {
-
-/// Distances from ground truth after alignment, metres.
-struct AbsoluteError {
-  /// Statistics over the poses, metres.
-  double rmse = 0, mean = 0, median = 0, max = 0;
-  /// Number of poses compared.
-  int poses = 0;
-  /// Factor by which the alignment multiplied the estimate.
-  double scale = 1;
-};
 
 /// Estimated positions of `matches` as columns, in the unit of the estimate.
 Points estimate_points(const std::vector<MatchedPose>& matches);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/evaluation/evaluate.h"
+#include "edgevo/evaluation/figures.h"
 #include "edgevo/frame_evaluation/evaluate_frames.h"
 
 namespace edgevo {

@@ -9,17 +9,10 @@
 //
 // Errors that stay the same from sample to sample do not show: those of a filtered truth (GPS with inertial
 // sensors) are larger. Then state what is known of them: larger_noise().
+#include "edgevo/evaluation/figures.h"
 #include "edgevo/evaluation/trajectory.h"
 
 namespace edgevo {
-
-/// Standard deviations per axis of one true pose.
-struct TruthNoise {
-  /// Of the position, metres.
-  double position_m = 0;
-  /// Of the orientation, radians.
-  double rotation_rad = 0;
-};
 
 /// Noise of `truth`; zero for fewer than eight samples. Cost: linear.
 TruthNoise truth_noise(const Trajectory& truth);

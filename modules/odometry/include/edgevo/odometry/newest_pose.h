@@ -7,12 +7,13 @@
 #include <optional>
 #include <string>
 
-#include "edgevo/alignment/reference.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
 
 namespace edgevo {
+
+struct Reference;  // alignment/reference.h
 
 /// A snapshot: what it points to never changes. Lengths are in the unit of the segment's map, which has its
 /// origin at the segment's first keyframe. Cheap to copy.

@@ -11,17 +11,21 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/core/camera.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
-#include "edgevo/core/rectification.h"
-#include "edgevo/edges/edge_detector.h"
-#include "edgevo/map/map.h"
-#include "edgevo/mapping/shedding.h"
+#include "edgevo/edges/edge_detector_table.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
-#include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
+
+class Map;            // map/map.h
+class MapLog;         // map/map_log.h
+class Rectification;  // core/rectification.h
+enum class Shedding;  // mapping/shedding.h
+struct FrameView;     // tracking/frame_view.h
+struct MapMoved;      // map/map_event.h
 
 /// How a run works; what it estimates is in OdometryParams.
 struct OdometryOptions {
@@ -59,9 +63,7 @@ struct OdometryOptions {
 };
 
 /// From the camera that takes the images to the pinhole in which a run with these options works.
-inline Rectification rectification_of(const Camera& camera, const OdometryOptions& options) {
-  return rectification_of(camera, options.working_pinhole);
-}
+Rectification rectification_of(const Camera& camera, const OdometryOptions& options);
 
 /// A run of one camera, in one thread. Keyframes, and poses that are found later, come as events
 /// (OdometryOptions::map_log).

@@ -6,7 +6,7 @@
 #include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edges/edge_params.h"
 #include "edgevo/mapping/mapping_params.h"
-#include "edgevo/self_calibration/self_calibration.h"
+#include "edgevo/self_calibration/self_calibration_params.h"
 #include "edgevo/tracking/keyframe_params.h"
 
 namespace edgevo {

@@ -10,6 +10,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/datasets/pace.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
 

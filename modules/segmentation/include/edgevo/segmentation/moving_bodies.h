@@ -2,7 +2,7 @@
 #pragma once
 // Follows what moves by itself through the images: a vehicle ahead, a bus that crosses. It is found where a
 // group of points of the map contradicts the pose and agrees on a motion of its own
-// (segmentation/moving_group.h); from then on the body is followed by its edges, without map and depths, and
+// (src/moving_group.h); from then on the body is followed by its edges, without map and depths, and
 // what is on it takes no part in poses and map. So points that were made on it while it moved like the
 // scene do no harm when it no longer does.
 #include <memory>

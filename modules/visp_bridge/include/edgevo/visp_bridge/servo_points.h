@@ -19,6 +19,7 @@
 #include <memory>
 #include <vector>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 

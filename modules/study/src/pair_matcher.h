@@ -8,7 +8,7 @@
 
 #include "edgevo/association/associate.h"
 #include "edgevo/study/study_pair.h"
-#include "edgevo/study/two_view_solve.h"
+#include "two_view_solve.h"
 
 namespace edgevo {
 
