@@ -14,12 +14,11 @@ edgevo=build/release/bin/edgevo
 
 build() {
   share/install_dependencies.sh
-  # Precompiled headers only without ccache, see tests/run.sh.
-  command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }
+  # Tests are configured by tests/run.sh, which also installs what they need.
+  [ -e build/release/CMakeCache.txt ] && tests= || tests=-DEDGEVO_BUILD_TESTS=OFF
   mkdir -p build/release
   echo "Building (some minutes the first time; log in build/release/demo_build.log) ..."
-  { cmake -S . -B build/release -G Ninja -DCMAKE_BUILD_TYPE=Release -DEDGEVO_SANITIZE= \
-      -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch &&
+  { share/configure.sh build/release -DCMAKE_BUILD_TYPE=Release -DEDGEVO_SANITIZE= $tests &&
     cmake --build build/release --target edgevo --parallel "${JOBS:-$(nproc)}"
   } >build/release/demo_build.log 2>&1 || {
     tail -n 40 build/release/demo_build.log >&2

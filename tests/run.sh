@@ -7,7 +7,8 @@
 #   tests/run.sh --sanitize   the tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/asan
 #   tests/run.sh --sanitize-threads  the tests under ThreadSanitizer, in build/tsan
 #
-# JOBS=N sets how many compilers run at a time (default: as many as there are cores). With CI=true warnings are errors.
+# JOBS=N sets how many compilers run at a time (default: as many as there are cores). What the demo has compiled
+# is not compiled again.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -35,15 +36,9 @@ case "${1:-}" in
     echo "run.sh: unknown option $1; see the head of this script" >&2
     exit 2 ;;
 esac
-[ "${CI:-}" = true ] && warnings=ON || warnings=OFF
-# ccache and precompiled headers are incompatible (a cached header crashes GCC 12); either saves about the same time.
-command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }
 
 share/install_dependencies.sh --checks --workflow
-# Unity build (eight sources at once): half the time. The preset dev checks that each source compiles alone.
-cmake -S . -B "$folder" -G Ninja $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks \
-  -DEDGEVO_WARNINGS_AS_ERRORS=$warnings -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
+share/configure.sh "$folder" $build_options -DEDGEVO_BUILD_TESTS=ON -DEDGEVO_BUILD_BENCHMARKS=$benchmarks
 cmake --build "$folder" --parallel "${JOBS:-$(nproc)}"
 # One more at a time than there are cores: some tests wait for a while.
 ctest --test-dir "$folder" --output-on-failure --parallel $(($(nproc) + 1)) $label_filter

@@ -10,14 +10,12 @@
 set -eu
 cd "$(dirname "$0")/../.."
 folder=build/packages
-command -v ccache >/dev/null && launcher=ccache without_pch=ON || { launcher='' without_pch=OFF; }  # see tests/run.sh
 
 share/install_dependencies.sh
 # For reproducible packages: dates are those of the commit.
 export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct 2>/dev/null || date +%s)}"
-cmake -S . -B $folder -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DEDGEVO_SANITIZE= \
-  -DEDGEVO_BUILD_TESTS=OFF -DEDGEVO_BUILD_BENCHMARKS=OFF -DEDGEVO_SCENES_OF_SOURCES=OFF -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_CXX_COMPILER_LAUNCHER=$launcher -DCMAKE_DISABLE_PRECOMPILE_HEADERS=$without_pch
+share/configure.sh $folder -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DEDGEVO_SANITIZE= \
+  -DEDGEVO_BUILD_TESTS=OFF -DEDGEVO_BUILD_BENCHMARKS=OFF -DEDGEVO_SCENES_OF_SOURCES=OFF
 cmake --build $folder --parallel "${JOBS:-$(nproc)}"
 rm -f $folder/*.deb
 (cd $folder && cpack)
