@@ -7,8 +7,8 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
-#include "edgevo/evaluation/association.h"
 #include "edgevo/evaluation/evaluate.h"
+#include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo::test {
 

@@ -8,7 +8,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/evaluation/evaluate.h"
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 #include "edgevo/results/run_text.h"
 #include "edgevo/run_loop/run_odometry.h"
 #include "file_lock.h"

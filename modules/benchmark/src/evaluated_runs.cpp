@@ -10,7 +10,7 @@
 #include "edgevo/benchmark/source_truth.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
-#include "edgevo/evaluation/judgement_figures.h"
+#include "edgevo/frame_evaluation/frame_figures.h"
 #include "edgevo/results/finished_run.h"
 #include "edgevo/simulation/relight.h"
 

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "edgevo/evaluation/evaluate.h"
-#include "edgevo/evaluation/judgement_figures.h"
 
 namespace edgevo {
 namespace {

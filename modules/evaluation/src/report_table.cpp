@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "edgevo/evaluation/evaluate.h"
-#include "edgevo/evaluation/judgement_figures.h"
 
 namespace edgevo {
 namespace {

@@ -7,7 +7,6 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/evaluation/absolute_error.h"
-#include "edgevo/evaluation/judgement_figures.h"
 
 namespace edgevo {
 namespace {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/evaluation/time_matching.h"
 #include "edgevo/evaluation/figures.h"
+#include "edgevo/evaluation/time_matching.h"
 
 namespace edgevo {
 

@@ -14,6 +14,14 @@
 
 namespace edgevo {
 
+/// Standard deviations per axis of one true pose.
+struct TruthNoise {
+  /// Of the position, metres.
+  double position_m = 0;
+  /// Of the orientation, radians.
+  double rotation_rad = 0;
+};
+
 /// Noise of `truth`; zero for fewer than eight samples. Cost: linear.
 TruthNoise truth_noise(const Trajectory& truth);
 
