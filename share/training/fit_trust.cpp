@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (confidence/trust.h) to runs with
+// edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (confidence/motion_confidence.h) to runs with
 // ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights and the calibration, for
 // modules/confidence/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
 #include <algorithm>
@@ -60,7 +60,7 @@ FittedTrust fit_to(const Runs& runs) {
   return fitted;
 }
 
-double p_right_by(const FittedTrust& fitted, const Doubts& doubts) {
+double p_right_by(const FittedTrust& fitted, const Inconsistencies& doubts) {
   return std::min(p_right_at(fitted.knots, fitted.sum.sum(doubts)), p_right_limit(doubts));
 }
 
@@ -123,8 +123,8 @@ std::string report_of(const std::vector<Fold>& folds, const FittedTrust& fitted)
   for (const Fold& fold : folds) text += " without " + fold.camera + " |";
   text += "\n|---|---|";
   for (size_t i = 0; i < folds.size(); ++i) text += "---|";
-  for (size_t k = 0; k < kDoubts; ++k) {
-    text += std::string("\n| ") + name_of(Doubt(k)) + " | " + fixed(fitted.sum.weights[k], 3) + " |";
+  for (size_t k = 0; k < kConsistencyTests; ++k) {
+    text += std::string("\n| ") + name_of(ConsistencyTest(k)) + " | " + fixed(fitted.sum.weights[k], 3) + " |";
     for (const Fold& fold : folds) text += " " + fixed(fold.fitted.sum.weights[k], 3) + " |";
   }
   return text + "\n\nCameras excluded of the fit:\n\n" + frame_figures_markdown(cameras) +

@@ -61,7 +61,7 @@ std::vector<Bin> binned(const LogisticSum& fit, const std::vector<EvaluatedMotio
 
 }  // namespace
 
-double LogisticSum::sum(const Doubts& doubts) const {
+double LogisticSum::sum(const Inconsistencies& doubts) const {
   return std::inner_product(doubts.begin(), doubts.end(), weights.begin(), 0.0);
 }
 
@@ -75,7 +75,7 @@ LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double rid
                                     -1.0, 1.0);
     fit.bias += shift, largest = std::abs(shift);
     for (double& value : z) value += shift;
-    for (size_t k = 0; k < kDoubts; ++k) {
+    for (size_t k = 0; k < kConsistencyTests; ++k) {
       const auto doubt = [&](size_t i) { return samples[i].doubts[k]; };
       const double step = newton_step(samples, z, unseen, doubt, ridge * fit.weights[k], ridge);
       const double weight = std::max(0.0, fit.weights[k] + std::clamp(step, -1.0, 1.0));

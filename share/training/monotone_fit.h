@@ -5,13 +5,13 @@
 #include <array>
 #include <vector>
 
-#include "edgevo/confidence/trust.h"
+#include "edgevo/confidence/motion_confidence.h"
 
 namespace edgevo::training {
 
 /// A motion of ten frames that was evaluated.
 struct EvaluatedMotion {
-  Doubts doubts{};
+  Inconsistencies doubts{};
   bool is_wrong = false;
   /// Weight in the fit, > 0.
   double weight = 1;
@@ -19,11 +19,11 @@ struct EvaluatedMotion {
 
 /// Weights of the doubts, all at least 0, and the bias: log odds of a wrong motion = bias + sum.
 struct LogisticSum {
-  Doubts weights{};
+  Inconsistencies weights{};
   double bias = 0;
 
   /// The sum without the bias.
-  double sum(const Doubts& doubts) const;
+  double sum(const Inconsistencies& doubts) const;
 };
 
 /// Minimises the weighted log loss plus `ridge` times half the square of the weights, by coordinate descent;
@@ -32,7 +32,7 @@ struct LogisticSum {
 /// them.
 LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge, double unseen = 0);
 
-using Knot = TrustKnot;
+using Knot = CalibrationKnot;
 /// Isotonic regression of "right" on the sum: the samples in bins of equal weight (`bins` of them, and as
 /// many again in the upper tenth), pooled until p_right does not rise with the sum. p_right stays within
 /// 0.005 and 0.995. Knots of ascending sum; equal neighbours are excluded.

@@ -59,7 +59,7 @@ FrameEvidence evidence_of(const CsvTable& row) {
 // Frames whose pose a bootstrap found afterwards have no p_right: the trust was not built for them.
 void replay(const std::string& folder, TrustRun* run) {
   CsvTable row(folder + "/frames.csv", "make the corpus again");
-  Trust trust;
+  MotionConfidence trust;
   for (ReportedFrame& frame : run->reported) {
     run->doubts.emplace_back();
     if (!row.next()) break;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "edgevo/frame_evaluation/evaluate_frames.h"
-#include "edgevo/confidence/trust.h"
+#include "edgevo/confidence/motion_confidence.h"
 
 namespace edgevo::training {
 
@@ -17,8 +17,8 @@ struct TrustRun {
   std::string name, camera;
   /// What the run said about each frame, with live poses. The state is that by the image alone.
   std::vector<ReportedFrame> reported;
-  /// Doubts of each frame that the trust was built for.
-  std::vector<std::optional<Doubts>> doubts;
+  /// Inconsistencies of each frame that the trust was built for.
+  std::vector<std::optional<Inconsistencies>> doubts;
   /// Ground truth.
   Trajectory truth;
   /// Evaluation of the live poses; noticed and alarm are those by the image alone.

@@ -13,11 +13,11 @@ struct Description {
   const char* name;
   const char* unit;
 };
-constexpr std::array<Description, kDoubts> kDescriptions{{
+constexpr std::array<Description, kConsistencyTests> kDescriptions{{
     {"kMotion", "motion", "share of length / 0.25 and median depths / 0.02, or degrees / 3"},
     {"kFocalLength", "focal_length", "degrees / 3"},
     {"kCornerAgreement", "corner_agreement", "2 x share of the corners"},
-    {"kNoWitness", "no_witness", "1: the motion cannot be checked"},
+    {"kNoCrossCheck", "no_witness", "1: the motion cannot be checked"},
     {"kTurn", "turn", "median depths / 0.02 and share of length / 0.25"},
     {"kStep", "step", "log ratio to the usual"},
     {"kResidual", "residual", "log of pixels / 0.6"},
@@ -28,7 +28,7 @@ constexpr std::array<Description, kDoubts> kDescriptions{{
 
 }  // namespace
 
-const char* name_of(Doubt doubt) { return kDescriptions[size_t(doubt)].name; }
+const char* name_of(ConsistencyTest doubt) { return kDescriptions[size_t(doubt)].name; }
 
 std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t cameras) {
   std::string text =
@@ -37,21 +37,21 @@ std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t came
       "// (share/training/README.md) from " +
       std::to_string(runs) + " runs of " + std::to_string(cameras) +
       " cameras: not to be edited.\n"
-      "#include <array>\n\n#include \"edgevo/confidence/trust.h\"\n\nnamespace edgevo::trust_table {\n\n"
+      "#include <array>\n\n#include \"edgevo/confidence/motion_confidence.h\"\n\nnamespace edgevo::trust_table {\n\n"
       "/// What a doubt adds to the sum, per unit of the doubt: at least 0, since all of them speak against "
       "the\n"
       "/// motion. 0: the other doubts say as much.\n"
-      "struct Term {\n  Doubt doubt;\n  const char* name;\n  const char* unit;\n  double weight;\n};\n"
-      "constexpr std::array<Term, kDoubts> kTerms{{\n";
-  for (size_t k = 0; k < kDoubts; ++k) {
+      "struct Term {\n  ConsistencyTest doubt;\n  const char* name;\n  const char* unit;\n  double weight;\n};\n"
+      "constexpr std::array<Term, kConsistencyTests> kTerms{{\n";
+  for (size_t k = 0; k < kConsistencyTests; ++k) {
     const Description& d = kDescriptions[k];
-    text += std::string("    {Doubt::") + d.constant + ", \"" + d.name + "\", \"" + d.unit + "\"," +
+    text += std::string("    {ConsistencyTest::") + d.constant + ", \"" + d.name + "\", \"" + d.unit + "\"," +
             (k == 0 ? "\n     " : " ") + fixed(fitted.sum.weights[k], 4) + "},\n";
   }
   text +=
       "}};\n\n/// Probability of a right motion at a sum of weighted doubts; linear in between, constant "
       "outside.\n"
-      "constexpr std::array<TrustKnot, " +
+      "constexpr std::array<CalibrationKnot, " +
       std::to_string(fitted.knots.size()) + "> kKnots{{\n";
   for (const Knot& knot : fitted.knots)
     text += "    {" + fixed(knot.sum, 4) + ", " + fixed(knot.p_right, 4) + "},\n";

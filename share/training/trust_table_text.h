@@ -18,7 +18,7 @@ struct FittedTrust {
 };
 
 /// Name of a doubt in the table.
-const char* name_of(Doubt doubt);
+const char* name_of(ConsistencyTest doubt);
 /// Text of modules/confidence/src/trust_table.h.
 std::string trust_table_text(const FittedTrust& fitted, size_t runs, size_t cameras);
 

@@ -17,13 +17,13 @@ namespace {
 class MetricMap : public StreetRun {};
 
 TEST_F(MetricMap, LengthFromTheHeightOfTheCamera) {
-  const double ratio = length_ratio(in_metres("camera_height=1.65", {}));
+  const double ratio = scale_ratio(in_metres("camera_height=1.65", {}));
   std::cout << "[ figures  ] length over truth " << ratio << std::endl;
   EXPECT_NEAR(ratio, 1, 0.03);
 }
 
 TEST_F(MetricMap, LengthFromOdometryWithTwoPercentOfNoise) {
-  const double ratio = length_ratio(in_metres("odometry", track(0.02)));
+  const double ratio = scale_ratio(in_metres("odometry", track(0.02)));
   std::cout << "[ figures  ] length over truth " << ratio << std::endl;
   EXPECT_NEAR(ratio, 1, 0.01);
 }

@@ -59,7 +59,7 @@ class StreetRun : public ::testing::Test {
     return run;
   }
 
-  static double length_ratio(const edgevo::Run& run) {
+  static double scale_ratio(const edgevo::Run& run) {
     double length = 0, truth = 0;
     const auto& poses = renderer_->scene().T_scene_cam;
     for (size_t i = 1; i < run.frames.size(); ++i) {

@@ -47,7 +47,7 @@ inline MapMoved move_past(const std::vector<std::pair<int, KeyframeRecord>>& key
     KeyframeMove move;
     move.id = id;
     move.T_cam_newest = change.apply(T_newest_map * keyframe.T_world_cam).inverse();
-    move.length_ratio = growth;
+    move.scale_ratio = growth;
     moved.keyframes.push_back(move);
   }
   return moved;

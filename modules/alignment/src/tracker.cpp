@@ -46,8 +46,8 @@ TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, con
   if (r.T_cur_ref.is_finite()) {
     const std::vector<PoseEquation> equations = pose_equations(current, cloud, r.T_cur_ref, params);
     r.covariance = pose_covariance(equations);
-    r.smooth = smooth_error(equations);
-    r.smooth_px2 = r.smooth.variance_px2();
+    r.smooth = correlated_residual(equations);
+    r.correlated_px2 = r.smooth.variance_px2();
   }
   find_directions(median_depth(cloud), &r);
   return r;

@@ -48,7 +48,7 @@ std::string table_markdown(const PrintedTable& table) {
   for (const std::string& column : table.columns) text += " " + column + " |", rule += "---|";
   text += '\n' + rule + '\n';
   for (const TableRow& row : table.rows) {
-    text += "| " + (row.is_own ? "**" + row.name + "**" : row.name) + " |";
+    text += "| " + (row.is_ego ? "**" + row.name + "**" : row.name) + " |";
     for (const TableCell& cell : row.cells) text += " " + cell_text(cell, table.decimals) + " |";
     text += '\n';
   }
@@ -93,7 +93,7 @@ std::string table_html(const PrintedTable& table) {
   for (const std::string& column : table.columns) text += "<th>" + escaped(column) + "</th>";
   text += "</tr>\n";
   for (const TableRow& row : table.rows) {
-    text += std::string("<tr") + (row.is_own ? " class=\"own\"" : "") + "><td>" + escaped(row.name) + "</td>";
+    text += std::string("<tr") + (row.is_ego ? " class=\"own\"" : "") + "><td>" + escaped(row.name) + "</td>";
     for (const TableCell& cell : row.cells)
       text += "<td>" + escaped(cell_text(cell, table.decimals)) + "</td>";
     text += "</tr>\n";

@@ -48,7 +48,7 @@ void add_pose(const TrackResult& pose, const Reference& reference, FrameEvidence
 }
 
 Matrix6d reported_covariance(const TrackResult& pose, const Reference& reference) {
-  const Matrix6d smooth = kReferenceShare * pose.smooth_px2 * pose.smooth.covariance;
+  const Matrix6d smooth = kReferenceShare * pose.correlated_px2 * pose.smooth.covariance;
   return reference.error_factor * (pose.covariance + smooth) + unit_covariance(pose.T_cur_ref);
 }
 

@@ -84,13 +84,13 @@ FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& para
   return {state_of(support), reasons_of(support, evidence, params)};
 }
 
-FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params) {
+FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams params) {
   params.min_visible = 0;
   return frame_status(evidence, params);
 }
 
-FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust) {
-  const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_giant_step;
+FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust) {
+  const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_step_outlier;
   if (by_image.state == TrackingState::kLost || is_sure) return by_image;
   return {TrackingState::kDegraded, joined(by_image.reasons, trust.reasons)};
 }
@@ -101,7 +101,7 @@ FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional
 }
 
 FrameStatus status_after_step(const FrameStatus& status, double times) {
-  if (!(times > kGiantTimes) || status.state != TrackingState::kTracking) return status;
+  if (!(times > kStepGate) || status.state != TrackingState::kTracking) return status;
   return {TrackingState::kDegraded, {{ReasonKind::kStep, times}}};
 }
 

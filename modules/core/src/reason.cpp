@@ -53,7 +53,7 @@ const char* pattern_of(ReasonKind kind) {
       return "two views found: a map is being made";
     case ReasonKind::kMapInMaking:
       return "a map is being made";
-    case ReasonKind::kMayBeOwnPart:
+    case ReasonKind::kMayBeEgoPart:
       return "part of the view may be fixed to the camera: the map waits";
     case ReasonKind::kDiverged:
       return "alignment diverged";

@@ -11,7 +11,7 @@ const char* name_of(Stage stage) {
       return "alignment";
     case Stage::kCorners:
       return "corners";
-    case Stage::kWitness:
+    case Stage::kFeatureTracking:
       return "witness";
     case Stage::kBootstrap:
       return "bootstrap";

@@ -106,7 +106,7 @@ Series series_of(const Names& names) {
 }
 
 // Words in the names of what belongs to an image, but is none.
-bool is_beside_an_image(const std::string& pattern) {
+bool is_next_to_an_image(const std::string& pattern) {
   static const std::set<std::string> kWords{"alpha",     "confidence", "depth",       "depths",  "disp",
                                             "disparity", "flow",       "instance",    "label",   "labels",
                                             "mask",      "masks",      "normal",      "normals", "seg",
@@ -137,7 +137,7 @@ std::string list_of(const Series& series, const std::string& except) {
 std::string only_images(const Series& series) {
   std::string found;
   for (const auto& entry : series) {
-    if (is_beside_an_image(entry.first)) continue;
+    if (is_next_to_an_image(entry.first)) continue;
     if (!found.empty()) return {};
     found = entry.first;
   }

@@ -90,7 +90,7 @@ InputDecision varying_rate(const std::vector<double>& stamps) {
 }
 
 // Matroska is not read on from where it is damaged.
-std::string doubt_of_end(const std::vector<double>& stamps, double stated_s) {
+std::string inconsistency_of_end(const std::vector<double>& stamps, double stated_s) {
   if (stamps.back() > 0.95 * stated_s) return "";  // sound may last longer
   return "the last frame that is found is at " + fixed(stamps.back(), 2) + " of " + fixed(stated_s, 2) +
          " s: the video may be damaged; convert it again";
@@ -193,7 +193,7 @@ class VideoSource : public ImageSource {
     if (varies && !rate_is_given) {
       stamps_ = stamps.seconds;
       decisions_.push_back(varying_rate(stamps_));
-      decisions_.back().doubt = doubt_of_end(stamps_, stated_s);
+      decisions_.back().doubt = inconsistency_of_end(stamps_, stated_s);
     } else if (rate_.decision) {
       decisions_.push_back(*rate_.decision);
     }

@@ -175,7 +175,7 @@ struct PyramidBuilder::Impl {
 };
 
 double FramePyramid::masked_share() const { return share_of(border_mask); }
-double FramePyramid::own_share() const { return share_of(own_mask); }
+double FramePyramid::ego_share() const { return share_of(ego_mask); }
 
 PyramidBuilder::PyramidBuilder(const Rectification& rectification, const EdgeParams& params,
                                const EdgeDetectorTable& detectors)
@@ -245,7 +245,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
                                                             const ImageMotion& motion) {
   return impl_->build(old.source, RawGray(old.source), motion,
-                      {{old.border_mask, old.own_mask}, old.probability}, nullptr);
+                      {{old.border_mask, old.ego_mask}, old.probability}, nullptr);
 }
 
 void PyramidBuilder::Impl::fill_level(int l, const RawGray& raw, const ImageMotion& motion,
@@ -267,13 +267,13 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
   pyramid->border_mask = std::move(known.masks.border);
-  pyramid->own_mask = std::move(known.masks.own);
+  pyramid->ego_mask = std::move(known.masks.own);
   pyramid->probability = std::move(known.likely);
   pyramid->correction = correction;
   pyramid->levels.resize(size_t(params.levels));
   const Plane<uint8_t> border_here =
       pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
-  if (pyramid->own_mask) pyramid->own_area = undistort(pyramid->own_mask->view(), motion);
+  if (pyramid->ego_mask) pyramid->ego_area = undistort(pyramid->ego_mask->view(), motion);
   Plane<uint8_t> likely_here =
       pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {
@@ -282,7 +282,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
     if (l > 0 && !likely_here.empty() && l < params.edge_levels)
       likely_here = halved(likely_here, level.pinhole);
     if (l < params.edge_levels)
-      find_edges(l, border_here, pyramid->own_area, likely_here,
+      find_edges(l, border_here, pyramid->ego_area, likely_here,
                  l == params.edge_levels - 1 ? observer : nullptr, &level);
   }
   return pyramid;

@@ -20,7 +20,7 @@ TrajectoryFacts facts_of(const Trajectory& t) {
 }
 
 // KITTI files have no times: compared with a TUM file of as many poses, they take its times line by line.
-void lend_times(const Trajectory& from, Trajectory* to) {
+void copy_times(const Trajectory& from, Trajectory* to) {
   if (from.poses.size() != to->poses.size())
     throw InputError(to->path,
                      "is a KITTI file of " + std::to_string(to->poses.size()) + " poses without times, and " +
@@ -32,8 +32,8 @@ void lend_times(const Trajectory& from, Trajectory* to) {
 void reconcile_times(Trajectory* estimate, Trajectory* ground_truth) {
   const bool kitti_est = estimate->format == TrajectoryFormat::kKitti;
   const bool kitti_gt = ground_truth->format == TrajectoryFormat::kKitti;
-  if (kitti_est && !kitti_gt) lend_times(*ground_truth, estimate);
-  if (kitti_gt && !kitti_est) lend_times(*estimate, ground_truth);
+  if (kitti_est && !kitti_gt) copy_times(*ground_truth, estimate);
+  if (kitti_gt && !kitti_est) copy_times(*estimate, ground_truth);
   if (kitti_est && kitti_gt && estimate->poses.size() > ground_truth->poses.size())
     throw InputError(estimate->path, "has more lines than " + ground_truth->path,
                      "KITTI files have one line per frame; give the ground truth of the whole sequence");

@@ -32,8 +32,8 @@ void CornerEvaluation::begin_map(double median_idepth) {
   epipolar_.restart();
 }
 
-void CornerEvaluation::change_unit(double length_ratio) {
-  unit_ /= length_ratio;
+void CornerEvaluation::rescale(double scale_ratio) {
+  unit_ /= scale_ratio;
   T_cam_odometry_ = SE3();
   comparison_.restart_odometry(T_cam_odometry_);
   epipolar_.restart();

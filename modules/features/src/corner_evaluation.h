@@ -10,7 +10,7 @@
 
 namespace edgevo {
 
-/// Everything of CornerWitness but the images.
+/// Everything of FeatureTracker but the images.
 class CornerEvaluation {
  public:
   /// Takes the next image's correction (FramePyramid::correction), before its corners are followed.
@@ -19,12 +19,12 @@ class CornerEvaluation {
   std::vector<ExpectedCorner> expect(const std::optional<SE3>& T_cur_last) const {
     return chain_.expect(step_since_image(T_cur_last));
   }
-  /// CornerWitness::add(), for the corners of the image.
+  /// FeatureTracker::add(), for the corners of the image.
   std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last);
-  /// CornerWitness::begin_map().
+  /// FeatureTracker::begin_map().
   void begin_map(double median_idepth);
-  /// CornerWitness::change_unit().
-  void change_unit(double length_ratio);
+  /// FeatureTracker::rescale().
+  void rescale(double scale_ratio);
   /// Corners that are not to be followed any more.
   std::vector<uint32_t> take_rejected() { return chain_.take_rejected(); }
 

@@ -73,7 +73,7 @@ Corners find_corners(const cv::Mat& image, int count) {
 
 void drop_own(const FramePyramid& pyramid, Corners* corners) {
   corners->erase(std::remove_if(corners->begin(), corners->end(),
-                                [&](const cv::Point2f& c) { return pyramid.is_own(c.x, c.y); }),
+                                [&](const cv::Point2f& c) { return pyramid.is_ego(c.x, c.y); }),
                  corners->end());
 }
 

@@ -52,7 +52,7 @@ void CornerTracks::follow(const std::shared_ptr<const FramePyramid>& pyramid,
   if (left < kMinKnown + kMinKnown / 2 ||
       (left < wanted_ - kWanted / 10 && frames_since_refill_ >= kFramesBetween))
     refill(before_->levels()[1]);
-  drop_where([&](const Eigen::Vector2d& px) { return frame.is_own(px.x(), px.y()); });
+  drop_where([&](const Eigen::Vector2d& px) { return frame.is_ego(px.x(), px.y()); });
 }
 
 void CornerTracks::drop_where(const std::function<bool(const Eigen::Vector2d& px)>& is_foreign) {

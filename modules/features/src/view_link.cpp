@@ -44,8 +44,8 @@ ViewFeatures find_features(const FramePyramid& pyramid) {
   ViewFeatures found;
   const cv::Ptr<cv::SIFT> sift = cv::SIFT::create(kMaxFeatures);
   sift->detect(image, found.points);
-  const auto is_own = [&](const cv::KeyPoint& k) { return pyramid.is_own(k.pt.x, k.pt.y); };
-  found.points.erase(std::remove_if(found.points.begin(), found.points.end(), is_own), found.points.end());
+  const auto is_ego = [&](const cv::KeyPoint& k) { return pyramid.is_ego(k.pt.x, k.pt.y); };
+  found.points.erase(std::remove_if(found.points.begin(), found.points.end(), is_ego), found.points.end());
   sift->compute(image, found.points, found.descriptors);
   return found;
 }

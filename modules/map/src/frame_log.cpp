@@ -17,7 +17,7 @@ FrameRecord& FrameLog::begin_frame(const Frame& frame) {
   return newest_.frame;
 }
 
-void FrameLog::announce() { append(newest_); }
+void FrameLog::publish() { append(newest_); }
 
 void FrameLog::append(FrameAnchored frame) {
   const auto& unit = frame.frame.evidence.unit;
@@ -25,7 +25,7 @@ void FrameLog::append(FrameAnchored frame) {
   log_->append(std::move(frame));
 }
 
-void FrameLog::link_units(int segment, const UnitComparison& unit) {
+void FrameLog::constrain_scale(int segment, const RelativeScale& unit) {
   for (auto i = unlinked_.begin(); i != unlinked_.end();) {
     FrameAnchored& known = i->second;
     if (known.frame.segment != segment) {
@@ -66,8 +66,8 @@ std::optional<FrameRecord> FrameLog::find(int frame_index) {
   return record ? std::make_optional(*record) : std::nullopt;
 }
 
-double FrameLog::times_usual_step(int frame_index, int segment, const SE3& T_cam_map) {
-  return run().times_usual_step(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
+double FrameLog::step_ratio(int frame_index, int segment, const SE3& T_cam_map) {
+  return run().step_ratio(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
 }
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {

@@ -72,21 +72,21 @@ void move_depths(const KeyframeMove& move, Keyframe* k) {
   for (size_t i = 0; i < k->points.size(); ++i) {
     MapPoint& p = k->points[i];
     const double before = p.idepth;
-    p.idepth_sigma /= move.length_ratio;
+    p.idepth_sigma /= move.scale_ratio;
     if (move.points.empty()) {
-      p.idepth /= move.length_ratio;
+      p.idepth /= move.scale_ratio;
     } else {
       p.px = move.points[i].px;
       p.idepth = move.points[i].idepth;
     }
     // A point at infinity has no ratio of its own.
-    p.known_idepth *= before > 0 ? p.idepth / before : 1 / move.length_ratio;
-    p.known_sigma /= move.length_ratio;
+    p.known_idepth *= before > 0 ? p.idepth / before : 1 / move.scale_ratio;
+    p.known_sigma /= move.scale_ratio;
   }
   for (ImmaturePoint& p : k->immature) {
-    p.idepth /= move.length_ratio;
-    p.idepth_sigma /= move.length_ratio;
-    p.idepth_guess /= move.length_ratio;
+    p.idepth /= move.scale_ratio;
+    p.idepth_sigma /= move.scale_ratio;
+    p.idepth_guess /= move.scale_ratio;
   }
 }
 

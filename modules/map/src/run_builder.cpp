@@ -32,7 +32,7 @@ std::string in_words(SegmentPlaced::Method method) {
 }
 
 void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
-  const float ratio = float(move.length_ratio);
+  const float ratio = float(move.scale_ratio);
   for (size_t i = 0; i < points->size(); ++i) {
     EdgePoint& p = (*points)[i];
     // Not by the ratio of the two depths: a point that moves to infinity does not become more certain.
@@ -61,8 +61,8 @@ void apply_move(const Rectification& rectification, const MapMoved& moved, const
   if (const std::optional<LensChange>& lens = moved.lens)
     v->px = correct_pixel(rectification, lens->before, lens->now, move.motion, v->px.cast<double>())
                 .cast<float>();
-  v->idepth /= float(move.length_ratio);
-  v->idepth_sigma /= float(move.length_ratio);
+  v->idepth /= float(move.scale_ratio);
+  v->idepth_sigma /= float(move.scale_ratio);
 }
 
 void move_to_world(const Sim3& T_world_map, KeyframeRecord* k) {
@@ -96,7 +96,7 @@ void RunBuilder::handle(const MapMoved& e) {
   if (forgets()) return;
   const double image_ratio = e.lens ? (1 + e.lens->before.focal) / (1 + e.lens->now.focal) : 1;
   for (const KeyframeMove& move : e.keyframes) {
-    changes_[move.id].push_back({moves_, move.length_ratio, image_ratio});
+    changes_[move.id].push_back({moves_, move.scale_ratio, image_ratio});
     const auto known = keyframes_.find(move.id);
     // A keyframe that is still in the window is marginalised with its new values.
     if (known == keyframes_.end()) continue;
@@ -150,7 +150,7 @@ std::vector<TimedPose> RunBuilder::last_poses(int segment, int last_frame, size_
   return poses;
 }
 
-std::vector<TimedPose> RunBuilder::last_sure_poses(int segment, int last_frame, size_t count) const {
+std::vector<TimedPose> RunBuilder::last_trusted_poses(int segment, int last_frame, size_t count) const {
   std::vector<TimedPose> poses;
   for (auto row = rows_.rbegin(); row != rows_.rend() && poses.size() < count; ++row) {
     const FrameRecord& f = row->frame;
@@ -176,7 +176,7 @@ std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
   return std::nullopt;
 }
 
-double RunBuilder::times_usual_step(int frame_index, const SE3& T_world_cam) const {
+double RunBuilder::step_ratio(int frame_index, const SE3& T_world_cam) const {
   constexpr size_t kSteps = 50, kMin = 10, kMaxFrames = 1000;
   std::vector<double> steps;  // newest first; the first one leads to the frame
   int index = frame_index;
@@ -213,7 +213,7 @@ RunBuilder::Change RunBuilder::changes_since(int keyframe_id, int moves) const {
   const auto known = changes_.find(keyframe_id);
   if (known == changes_.end()) return all;
   for (const Change& c : known->second)
-    if (c.move > moves) all.length_ratio *= c.length_ratio, all.image_ratio *= c.image_ratio;
+    if (c.move > moves) all.scale_ratio *= c.scale_ratio, all.image_ratio *= c.image_ratio;
   return all;
 }
 
@@ -240,7 +240,7 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
   if (!row->anchor || !is_known(frame.segment)) return;
   const FrameAnchor& anchor = *row->anchor;
   const Change change = changes_since(anchor.keyframe_id, anchor.moves);
-  const double length = T_world_map(frame.segment).scale * change.length_ratio;
+  const double length = T_world_map(frame.segment).scale * change.scale_ratio;
   multiply_lengths(length, &frame);
   const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
   if (keyframe == position_of_keyframe.end()) {

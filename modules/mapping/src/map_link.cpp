@@ -76,7 +76,7 @@ RealtimeRecord MapLink::finish() {
   thread_.wait_idle();
   close_segment();
   RealtimeRecord record;
-  record.left_out_of_mapping = thread_.skipped();
+  record.skipped_by_mapping = thread_.skipped();
   record.shed = mapper_.shed_work();
   record.shed.depths = depths_shed_;
   return record;

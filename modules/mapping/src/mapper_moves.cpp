@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "edgevo/confidence/health_watch.h"
+#include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
 #include "edgevo/mapping/mapper.h"
@@ -116,19 +116,19 @@ void Mapper::note_doubt(const TrackedFrame& frame) {
 // Keyframes that have left the window meanwhile stay doubtful.
 void Mapper::end_doubt(const DoubtEnded& ended) {
   if (!ended.is_evaluated) return;
-  if (ended.length_ratio != 1) set_unit_back(ended);
+  if (ended.scale_ratio != 1) set_unit_back(ended);
   for (Keyframe& k : window_.keyframes()) k.is_doubtful = false;
 }
 
 // All that came after the last sure keyframe was measured in another unit. Nothing jumps for tracking: the
 // newest keyframe stays, and the sure ones move.
 void Mapper::set_unit_back(const DoubtEnded& ended) {
-  move_map(move_of_unit(*map_, ended.last_sure_keyframe, ended.length_ratio));
+  move_map(move_of_unit(*map_, ended.last_trusted_keyframe, ended.scale_ratio));
   // The prior knows lengths of the unit that is gone.
   window_.fix_bootstrap_scale();
-  seen_idepths_.median /= ended.length_ratio;
-  seen_idepths_.nearest /= ended.length_ratio;
-  unit_ *= ended.length_ratio;
+  seen_idepths_.median /= ended.scale_ratio;
+  seen_idepths_.nearest /= ended.scale_ratio;
+  unit_ *= ended.scale_ratio;
   publish_again();
 }
 

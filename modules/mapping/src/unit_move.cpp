@@ -20,13 +20,13 @@ std::map<int, SE3> poses_of(const Map& map) {
 
 }  // namespace
 
-MapMoved move_of_unit(const Map& map, int last_sure, double length_ratio) {
+MapMoved move_of_unit(const Map& map, int last_sure, double scale_ratio) {
   const std::map<int, SE3> poses = poses_of(map);
   const SE3 T_world_newest = map.active().back().T_cam_world.inverse();
   // The last sure keyframe, or the first of the segment if it is not known.
   const auto after = poses.upper_bound(last_sure);
   const SE3& T_sure_world = (after == poses.begin() ? after : std::prev(after))->second;
-  const SE3 T_sure_newest = scaled(T_sure_world * T_world_newest, length_ratio);
+  const SE3 T_sure_newest = scaled(T_sure_world * T_world_newest, scale_ratio);
   MapMoved moved;
   moved.reason = MoveReason::kUnit;
   moved.segment = map.segment();
@@ -35,8 +35,8 @@ MapMoved move_of_unit(const Map& map, int last_sure, double length_ratio) {
     KeyframeMove move;
     move.id = id;
     if (id > last_sure) {
-      move.T_cam_newest = scaled(T_cam_world * T_world_newest, length_ratio);
-      move.length_ratio = length_ratio;
+      move.T_cam_newest = scaled(T_cam_world * T_world_newest, scale_ratio);
+      move.scale_ratio = scale_ratio;
     } else {
       move.T_cam_newest = T_cam_world * T_sure_world.inverse() * T_sure_newest;
     }

@@ -5,9 +5,9 @@
 
 namespace edgevo {
 
-/// Multiplies all lengths after keyframe `last_sure` by `length_ratio`: poses, depths, and the distance from
+/// Multiplies all lengths after keyframe `last_sure` by `scale_ratio`: poses, depths, and the distance from
 /// it. The keyframes up to it keep their shape and follow; the newest keyframe stays where it is. The map
 /// must have active keyframes.
-MapMoved move_of_unit(const Map& map, int last_sure, double length_ratio);
+MapMoved move_of_unit(const Map& map, int last_sure, double scale_ratio);
 
 }  // namespace edgevo

@@ -68,11 +68,11 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   check_image_size(frame.image, camera, where);
   check_pixels(frame.image, where);
   order = next;
-  announce_camera();
-  if (concurrent) go_on_with_map();
-  const FrameRecord& record = waits_for_map() ? keep_for_map(frame) : follow(frame);
-  if (!frame_announced) frames.announce();
-  note_pose(record);
+  publish_camera();
+  if (concurrent) continue_with_map();
+  const FrameRecord& record = waits_for_map() ? buffer_frame(frame) : follow(frame);
+  if (!frame_published) frames.publish();
+  record_newest_pose(record);
   frames.run();
   return record;
 }
@@ -83,7 +83,7 @@ const FrameRecord& Odometry::Impl::follow(const Frame& frame) {
   front_end.begin_frame(frame.time);
   const ArrivedFrame arrived = find_edges(frame, state.has_pose());
   if (state.tracks(arrived.record->evidence.edges)) follow_map(arrived);
-  if (!state.has_pose()) ask_corners(arrived, std::nullopt);
+  if (!state.has_pose()) track_features(arrived, std::nullopt);
   if (state.bootstraps()) bootstrap_map(arrived);
   return *arrived.record;
 }
@@ -97,11 +97,11 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   require_open(where);
   const bool has_time = order.has_own_time(frame);
   const Timestamp time = order.take_skipped(frame, where);
-  announce_camera();
+  publish_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
   trust.interrupt();
   assign_skipped(state.when_skipped(), why, &record);
-  frames.announce();
+  frames.publish();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
   frames.run();
   return record;
@@ -120,10 +120,10 @@ void Odometry::Impl::change_reference(const Frame& frame) {
     map.correct(&front_end.builder(), newest->camera.correction);
   }
   front_end.change_reference(newest);
-  if (newest->unit != unit) change_unit(newest->unit / unit);
+  if (newest->unit != unit) rescale(newest->unit / unit);
   if (front_end.correction() == before) return;
   forget_views();
-  for (const std::string& line : describe_changes(before, newest->camera)) say(frame, line);
+  for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
 }
 
 ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
@@ -133,16 +133,16 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
   const bool had_mask = before && before->border_mask;
   ArrivedFrame arrived = front_end.find_edges(frame, has_pose);
   if (arrived.pyramid->border_mask && !had_mask)
-    say(frame, describe_border_mask(arrived.pyramid->masked_share()));
+    report(frame, describe_border_mask(arrived.pyramid->masked_share()));
   if (own_parts.take(*arrived.pyramid)) {
     // Two views of a map would see different things.
     forget_views();
     early.mask_changed();
-    say(frame, own_parts.description());
+    report(frame, own_parts.description());
   }
   newest_pose = {};
   arrived.record = &frames.begin_frame(frame);
-  frame_announced = false;
+  frame_published = false;
   add_image(*arrived.pyramid, &arrived.record->evidence);
   arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
   return arrived;
@@ -152,12 +152,13 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
 
 void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   Track track = front_end.find_pose(now, !state.has_pose());
-  if (track.moving_bodies > 0) say(now.frame, "a body moves by itself: no edges are taken from it");
-  if (track.is_held && !holds_pose) say(now.frame, "the camera stands, its view is hidden: the pose is held");
-  holds_pose = track.is_held;
-  FrameStatus status = track.is_held ? status_of_held_pose(now.record->evidence, params.status)
-                                     : frame_status(now.record->evidence, params.status);
-  status = status_with_refusal(status, front_end.reason_against_step(track.result.T_cur_ref));
+  if (track.moving_objects > 0) report(now.frame, "a body moves by itself: no edges are taken from it");
+  if (track.is_zero_velocity && !at_zero_velocity)
+    report(now.frame, "the camera stands, its view is hidden: the pose is held");
+  at_zero_velocity = track.is_zero_velocity;
+  FrameStatus status = track.is_zero_velocity ? status_at_zero_velocity(now.record->evidence, params.status)
+                                              : frame_status(now.record->evidence, params.status);
+  status = status_with_refusal(status, front_end.step_gate(track.result.T_cur_ref));
   act(now.frame, state.after(event_of(status.state), now.frame.index), to_string(status.reasons));
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
@@ -165,31 +166,31 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
     health.add_lost();
     return;
   }
-  if (!is_late) look_and_ask(now, track.result.T_cur_ref);
+  if (!is_late) update_coverage_and_features(now, track.result.T_cur_ref);
   record_pose(track.result, now.record, is_late);
-  label(status, now.record);
+  assign_confidence(status, now.record);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
   if (focal) tracked.focal_length = focal->error();
   watch_health(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
   if (is_late) {
-    place_late(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref, &frames);
+    place_replayed(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref, &frames);
   } else {
-    frames.announce();
-    frame_announced = true;
+    frames.publish();
+    frame_published = true;
   }
   map.submit(std::move(tracked));
 }
 
-void Odometry::Impl::look_and_ask(const ArrivedFrame& now, const SE3& T_cur_ref) {
+void Odometry::Impl::update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref) {
   if (const std::optional<Event> seen = event_of(front_end.look(now.record->evidence)))
     act(now.frame, state.after(*seen, now.frame.index));
-  ask_corners(now, front_end.motion_to(T_cur_ref));
+  track_features(now, front_end.motion_to(T_cur_ref));
 }
 
-void Odometry::Impl::ask_corners(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last) {
+void Odometry::Impl::track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last) {
   if (!corners) return;
-  const StageTimer timer(Stage::kWitness, &now.record->stage_ms);
+  const StageTimer timer(Stage::kFeatureTracking, &now.record->stage_ms);
   const MovingAreas moving = front_end.moving_areas();
   FrameEvidence& evidence = now.record->evidence;
   evidence.corners = corners->add(
@@ -209,13 +210,13 @@ void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record
   newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
 }
 
-void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
+void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       trust.add_adjustment(*mapped->adjustment);
   const SE3& T_cam_map = *newest_pose.T_cam_map;
-  const FrameTrust found = trust.add({record->evidence, state.segment(), T_cam_map.inverse(),
-                                      frames.times_usual_step(record->index, state.segment(), T_cam_map)});
+  const FrameConfidence found = trust.add({record->evidence, state.segment(), T_cam_map.inverse(),
+                                           frames.step_ratio(record->index, state.segment(), T_cam_map)});
   record->p_right = found.p_right;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
@@ -224,46 +225,46 @@ void Odometry::Impl::label(const FrameStatus& by_image, FrameRecord* record) {
 // ---- doubt ----
 
 void Odometry::Impl::watch_health(const ArrivedFrame& now, TrackedFrame* tracked) {
-  const SureView view{now.frame.index, state.segment(), front_end.reference()};
-  const HealthWatch::Health found = health.add(now.frame.index, view, is_doubtful(*now.record));
-  tracked->is_in_doubt = found == HealthWatch::Health::kInDoubt;
+  const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
+  const IntegrityMonitor::Integrity found = health.add(now.frame.index, view, is_doubtful(*now.record));
+  tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   units.begin(found, now.frame.index, view, health.before(),
               [&](int segment) { return frames.T_world_map(segment).scale; });
-  if (const std::optional<UnitAnswer> answer = units.take(found, view))
+  if (const std::optional<ScaleAnswer> answer = units.take(found, view))
     tracked->doubt_ended = end_doubt(now, *answer);
 }
 
 // What links the map to a view before several doubts ends all of them.
-std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, const UnitAnswer& answer) {
-  for (const ComparedUnit& c : answer.compared)
-    if (c.is_open && c.unit.is_linked()) frames.link_units(answer.now.segment, c.unit);
-  const std::optional<UnitComparison>& unit = answer.found.unit;
+std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer) {
+  for (const ComparedScale& c : answer.compared)
+    if (c.is_open && c.unit.is_linked()) frames.constrain_scale(answer.now.segment, c.unit);
+  const std::optional<RelativeScale>& unit = answer.found.unit;
   if (!answer.ends_doubt && !answer.is_linked()) return std::nullopt;
   if (answer.ends_doubt) now.record->evidence.unit = unit;
   const char* what = answer.ends_doubt ? "sure again; " : "the view before the doubt is seen again; ";
-  if (unit) say(now.frame, what + in_words(*unit));
+  if (unit) report(now.frame, what + in_words(*unit));
   return answer.found.ended;
 }
 
-void Odometry::Impl::change_unit(double length_ratio) {
-  trust.change_unit(length_ratio);
-  if (corners) corners->change_unit(length_ratio);
+void Odometry::Impl::rescale(double scale_ratio) {
+  trust.rescale(scale_ratio);
+  if (corners) corners->rescale(scale_ratio);
 }
 
 // ---- state and records ----
 
-void Odometry::Impl::announce_camera() {
-  if (!std::exchange(camera_announced, true)) log->append(CameraEstimated{map.initial_camera()});
+void Odometry::Impl::publish_camera() {
+  if (!std::exchange(camera_published, true)) log->append(CameraEstimated{map.initial_camera()});
 }
 
 void Odometry::Impl::act(const Frame& frame, Action action, const std::string& reason) {
   if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
     forget_views(), early.clear();
-  if (action == Action::kLose) say(frame, "LOST: " + reason);
-  if (action == Action::kRelocalised) early.clear(), say(frame, "relocalised in the old map");
+  if (action == Action::kLose) report(frame, "LOST: " + reason);
+  if (action == Action::kRelocalised) early.clear(), report(frame, "relocalised in the old map");
 }
 
-void Odometry::Impl::note_pose(const FrameRecord& record) {
+void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.frame_index = record.index;
   newest_pose.time = record.time;
   newest_pose.state = record.state;
@@ -277,8 +278,8 @@ void Odometry::Impl::note_pose(const FrameRecord& record) {
 Run Odometry::Impl::finish() {
   require_open("Odometry::finish()");
   is_finished = true;
-  announce_camera();
-  if (concurrent) catch_up_at_end();
+  publish_camera();
+  if (concurrent) replay_at_end();
   const RealtimeRecord skipped_work = map.finish();
   front_end.drop_map();
   Run run = frames.run().finish();
@@ -293,7 +294,7 @@ FrameView Odometry::Impl::frame_view() const {
   return front_end.view(1.0 / frames.T_world_map(state.segment()).scale);
 }
 
-void Odometry::Impl::say(const Frame& frame, const std::string& what) const {
+void Odometry::Impl::report(const Frame& frame, const std::string& what) const {
   if (options.log) options.log("frame " + std::to_string(frame.index) + ": " + what);
 }
 
@@ -307,6 +308,10 @@ Odometry::~Odometry() = default;
 
 FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
+std::shared_ptr<const Plane<uint8_t>> Odometry::ego_mask() const {
+  const std::shared_ptr<const FramePyramid>& newest = impl_->front_end.newest_pyramid();
+  return newest ? newest->ego_mask : nullptr;
+}
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
 FrameRecord Odometry::skip(const Frame& frame, const std::string& why) { return impl_->skip(frame, why); }
 void Odometry::shed(Shedding shedding) { impl_->map.shed(shedding); }

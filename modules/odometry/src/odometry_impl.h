@@ -6,19 +6,19 @@
 #include <string>
 
 #include "edgevo/confidence/frame_status.h"
-#include "edgevo/confidence/health_watch.h"
-#include "edgevo/confidence/trust.h"
+#include "edgevo/confidence/integrity_monitor.h"
+#include "edgevo/confidence/motion_confidence.h"
 #include "edgevo/core/frame_checks.h"
-#include "edgevo/features/corner_witness.h"
+#include "edgevo/features/feature_tracker.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/map_link.h"
-#include "edgevo/mapping/unit_comparisons.h"
+#include "edgevo/mapping/scale_comparisons.h"
 #include "edgevo/odometry/odometry.h"
-#include "edgevo/segmentation/own_parts.h"
+#include "edgevo/segmentation/ego_mask_monitor.h"
 #include "edgevo/self_calibration/focal_by_corners.h"
+#include "edgevo/tracking/backward_replay.h"
 #include "edgevo/tracking/bootstrapper.h"
 #include "edgevo/tracking/concurrent_bootstrap.h"
-#include "edgevo/tracking/early_frames.h"
 #include "edgevo/tracking/front_end.h"
 #include "frame_order.h"
 #include "state_machine.h"
@@ -44,52 +44,52 @@ struct Odometry::Impl {
   // ---- tracking in a map ----
   // `is_late`: it was answered before, and its record is a copy.
   void follow_map(const ArrivedFrame& now, bool is_late = false);
-  void look_and_ask(const ArrivedFrame& now, const SE3& T_cur_ref);
+  void update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref);
   // In this thread: the pose waits for its evidence, which takes less time than handing it over.
-  void ask_corners(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last);
+  void track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last);
   void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
   // tracked as any other; what it means for the map: watch_health().
-  void label(const FrameStatus& by_image, FrameRecord* record);
+  void assign_confidence(const FrameStatus& by_image, FrameRecord* record);
 
   // ---- doubt ----
   void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
   // Of this doubt, or of an earlier one whose unit is found now; nothing if it is still not.
-  std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const UnitAnswer& answer);
+  std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer);
   // The map has set its unit back.
-  void change_unit(double length_ratio);
+  void rescale(double scale_ratio);
 
   // ---- making a map ----
   void forget_views();
   void bootstrap_map(const ArrivedFrame& now);
   void refuse_pose(FrameRecord* record, const Reasons& why) const;
-  BootstrapStatus look_and_make(const ArrivedFrame& now);
+  BootstrapStatus search_and_make(const ArrivedFrame& now);
   // Begins a new segment. Returns nothing, or why the two views make no map.
   Reasons make_map(const ArrivedFrame& now, const BootstrapResult& views);
   // Scale (world over map) of a map that replaces one that is still tracked: the median depth in view is
   // kept.
   std::optional<double> scale_by_depths() const;
   void begin_segment(const ArrivedFrame& now, const NewSegment& begun);
-  void note_segment(const Frame& frame, const NewSegment& begun);
+  void record_segment(const Frame& frame, const NewSegment& begun);
 
   // ---- making a map next to the frames (concurrent_bootstrap.h) ----
   bool waits_for_map() const;
-  const FrameRecord& keep_for_map(const Frame& frame);
-  BootstrapStatus look_concurrently(const ArrivedFrame& now);
-  void go_on_with_map();
+  const FrameRecord& buffer_frame(const Frame& frame);
+  BootstrapStatus search_concurrently(const ArrivedFrame& now);
+  void continue_with_map();
   // The reference of the map is an earlier frame; those after it are followed now.
   void begin_made_map();
-  void follow_late();
-  void catch_up_at_end();
+  void replay_next();
+  void replay_at_end();
 
   // ---- state and records ----
   // Before the first frame, and not earlier: consumers may begin until then.
-  void announce_camera();
+  void publish_camera();
   void act(const Frame& frame, Action action, const std::string& reason = {});
-  void note_pose(const FrameRecord& record);
+  void record_newest_pose(const FrameRecord& record);
   Run finish();
   FrameView frame_view() const;
-  void say(const Frame& frame, const std::string& what) const;
+  void report(const Frame& frame, const std::string& what) const;
 
   OdometryParams params;
   OdometryOptions options;
@@ -99,23 +99,23 @@ struct Odometry::Impl {
   std::shared_ptr<MapLog> log;
   FrameLog frames;
   MapCursor adjustments;
-  Trust trust;
-  HealthWatch health;
-  UnitComparisons units;
+  MotionConfidence trust;
+  IntegrityMonitor health;
+  ScaleComparisons units;
   FrontEnd front_end;
-  OwnParts own_parts;
-  EarlyFrames early;  // not with `concurrent`
+  EgoMaskMonitor own_parts;
+  BackwardReplay early;  // not with `concurrent`
   MapLink map;
   Bootstrapper bootstrapper;
   std::unique_ptr<ConcurrentBootstrap> concurrent;  // only with OdometryOptions::on_schedule
   std::optional<double> scale_of_made;
   bool holds = false;  // late frames, for mapping
-  std::optional<CornerWitness> corners;
+  std::optional<FeatureTracker> corners;
   std::optional<FocalByCorners> focal;  // with `corners`
   NewestPose newest_pose;
-  bool camera_announced = false;
-  bool frame_announced = false;  // the record of the newest frame as it is now
-  bool holds_pose = false;       // of a camera that stands, in the newest frame
+  bool camera_published = false;
+  bool frame_published = false;   // the record of the newest frame as it is now
+  bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
   bool is_finished = false;
 };
 

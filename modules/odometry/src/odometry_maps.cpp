@@ -18,9 +18,9 @@ void Odometry::Impl::forget_views() {
 
 void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
-  frame_announced = false;  // times and note change
+  frame_published = false;  // times and note change
   if (!concurrent) early.add(now);
-  const BootstrapStatus status = concurrent ? look_concurrently(now) : look_and_make(now);
+  const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
 }
 
@@ -29,12 +29,12 @@ void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const 
                 record);
 }
 
-BootstrapStatus Odometry::Impl::look_and_make(const ArrivedFrame& now) {
+BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
-  if (status.result && own_parts.delays_map(now.may_show_own_part))
-    return {std::nullopt, {{ReasonKind::kMayBeOwnPart}}};
+  if (status.result && own_parts.delays_map(now.may_show_ego_part))
+    return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);
@@ -64,39 +64,39 @@ void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& be
   front_end.begin_map(begun.reference, begun.motion);
   newest_pose.T_cam_map = begun.reference->T_ref_world;
   assign_status({now.record->state, {}}, now.record);
-  note_segment(now.frame, begun);
+  record_segment(now.frame, begun);
 }
 
-void Odometry::Impl::note_segment(const Frame& frame, const NewSegment& begun) {
+void Odometry::Impl::record_segment(const Frame& frame, const NewSegment& begun) {
   if (corners) corners->begin_map(begun.reference->median_idepth);
-  say(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
-                 std::to_string(state.segment()) + "; " + begun.why);
+  report(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
+                    std::to_string(state.segment()) + "; " + begun.why);
 }
 
 // ---- making a map next to the frames (concurrent_bootstrap.h) ----
 
 bool Odometry::Impl::waits_for_map() const { return concurrent && concurrent->frames_wait(); }
 
-const FrameRecord& Odometry::Impl::keep_for_map(const Frame& frame) {
+const FrameRecord& Odometry::Impl::buffer_frame(const Frame& frame) {
   const ArrivedFrame now = find_edges(frame, false);
-  ask_corners(now, std::nullopt);
+  track_features(now, std::nullopt);
   concurrent->keep(now);
   refuse_pose(now.record, {{ReasonKind::kMapInMaking}});
   return *now.record;
 }
 
-BootstrapStatus Odometry::Impl::look_concurrently(const ArrivedFrame& now) {
+BootstrapStatus Odometry::Impl::search_concurrently(const ArrivedFrame& now) {
   const BootstrapStatus status = concurrent->look(now, own_parts, health.newest_before());
   if (concurrent->is_making()) scale_of_made = scale_by_depths();
   return status;
 }
 
-void Odometry::Impl::go_on_with_map() {
+void Odometry::Impl::continue_with_map() {
   if (concurrent->is_made()) begin_made_map();
   // Mapping gets the time of every other frame at most, or the frames would never be caught up with.
   holds = !holds && is_mapping_behind() && map.is_keyframe_pending();
-  for (int n = 0; !holds && n < ConcurrentBootstrap::kLateAtOnce && concurrent->catches_up(); ++n)
-    follow_late();
+  for (int n = 0; !holds && n < ConcurrentBootstrap::kReplayedAtOnce && concurrent->catches_up(); ++n)
+    replay_next();
 }
 
 void Odometry::Impl::begin_made_map() {
@@ -109,27 +109,27 @@ void Odometry::Impl::begin_made_map() {
                                                       scale_of_made, &made.beginning);
   front_end.begin_map(begun.reference, begun.motion, last.time);
   health.begin_map();
-  note_segment({last.frame_index, last.time, {}, {}}, begun);
-  frames.announce();  // the newest frame may be one of the views, or late
+  record_segment({last.frame_index, last.time, {}, {}}, begun);
+  frames.publish();  // the newest frame may be one of the views, or late
 }
 
-void Odometry::Impl::follow_late() {
-  const LateFrame late = concurrent->take_late();
+void Odometry::Impl::replay_next() {
+  const BufferedFrame late = concurrent->take_buffered();
   std::optional<FrameRecord> record = frames.find(late.frame.index);
   if (!record) return;
   const TraceScope traced("late frame", late.frame.index);
   change_reference(late.frame);
   front_end.begin_frame(late.frame.time);
   follow_map({late.frame, late.pyramid, late.rows, late.still, false, &*record}, true);
-  frames.announce();
-  if (!state.has_pose()) concurrent->give_up_late();
+  frames.publish();
+  if (!state.has_pose()) concurrent->drop_buffered();
 }
 
-void Odometry::Impl::catch_up_at_end() {
+void Odometry::Impl::replay_at_end() {
   if (concurrent->is_making()) begin_made_map();
   while (concurrent->catches_up()) {
     if (is_mapping_behind()) map.wait_keyframe();
-    follow_late();
+    replay_next();
   }
 }
 

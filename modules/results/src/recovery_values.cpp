@@ -201,7 +201,7 @@ void visit_correction(Visit& v, Correction& c) {
 
 template <class Visit, class Move>
 void visit_move(Visit& v, Move& m) {
-  v.plain(m.id), v.pose(m.T_cam_newest), v.plain(m.length_ratio);
+  v.plain(m.id), v.pose(m.T_cam_newest), v.plain(m.scale_ratio);
   v.list(m.points, [&](auto& p) { visit_numbers(v, p.px), v.plain(p.idepth); });
   visit_numbers(v, m.motion.velocity), visit_numbers(v, m.motion.idepth);
 }

@@ -63,9 +63,9 @@ void append_corners(std::string* text, const CornerEvidence& c) {
   append_number(text, c.direction_sigma_deg, 2);
 }
 
-void append_unit(std::string* text, const std::optional<UnitComparison>& unit) {
+void append_unit(std::string* text, const std::optional<RelativeScale>& unit) {
   append_count(text, unit ? std::optional<int>(unit->is_linked()) : std::nullopt);
-  const UnitComparison compared = unit.value_or(UnitComparison());
+  const RelativeScale compared = unit.value_or(RelativeScale());
   append_number(text, compared.ratio, 4);
   append_number(text, compared.sigma, 4);
 }

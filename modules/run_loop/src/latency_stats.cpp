@@ -31,7 +31,7 @@ void LatencyStats::write_to(Run* run) const {
   for (size_t i = first; i < latency_ms_.size(); ++i) run->frames[i - first].latency_ms = latency_ms_[i];
   RealtimeRecord record = sums_;
   if (run->realtime) {
-    record.left_out_of_mapping = run->realtime->left_out_of_mapping;
+    record.skipped_by_mapping = run->realtime->skipped_by_mapping;
     record.shed = run->realtime->shed;
   }
   run->realtime = record;

@@ -57,10 +57,14 @@ FrameRecord process(const RunLoop& loop, const Frame& frame) {
   return record;
 }
 
+ProcessedFrame done(const RunLoop& loop, const Frame& frame, const FrameRecord& record) {
+  return {frame, record, loop.view, loop.odometry.ego_mask()};
+}
+
 void feed(const RunLoop& loop, ImageSource& source) {
   while (!loop.stop()) {
     const std::optional<Frame> frame = source.next();
-    if (!frame || !loop.on_frame({*frame, process(loop, *frame), loop.view})) break;
+    if (!frame || !loop.on_frame(done(loop, *frame, process(loop, *frame)))) break;
   }
 }
 
@@ -97,7 +101,7 @@ void feed_realtime(const RunLoop& loop, LiveFeed& feed, LatencyStats* latency) {
       latency->note_skipped();
     else
       latency->note_done(fed->due_s, fed->delivered_s, feed.now_s());
-    if (!loop.on_frame({fed->frame, record, loop.view})) break;
+    if (!loop.on_frame(done(loop, fed->frame, record))) break;
   }
 }
 

@@ -41,9 +41,9 @@ class ReasonCounts {
   std::vector<Count> counts_;
 };
 
-bool is_linked_by_view(const UnitComparison& unit) { return unit.is_linked() && !unit.by_ground; }
+bool is_linked_by_view(const RelativeScale& unit) { return unit.is_linked() && !unit.by_ground; }
 
-std::string link_in_words(const UnitComparison& unit) {
+std::string link_in_words(const RelativeScale& unit) {
   if (!unit.is_linked()) return "nothing links the unit of length after it to that before";
   char text[120];
   std::snprintf(text, sizeof text,

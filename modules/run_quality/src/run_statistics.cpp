@@ -91,7 +91,7 @@ std::string latency_statement(const Run& run) {
          " frames/s; latency until the pose, ms: median " + fixed(latency->p50, 1) + ", 95 % " +
          fixed(latency->p95, 1) + ", 99 % " + fixed(latency->p99, 1) + ", max " + fixed(latency->max, 1) +
          "; " + std::to_string(r.late) + " of " + std::to_string(r.delivered) + " frames delivered late, " +
-         std::to_string(r.dropped) + " dropped, " + std::to_string(r.left_out_of_mapping) +
+         std::to_string(r.dropped) + " dropped, " + std::to_string(r.skipped_by_mapping) +
          " not used for depths" + shed_statement(r.shed);
 }
 

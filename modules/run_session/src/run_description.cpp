@@ -50,18 +50,18 @@ void note_end(const RunResult& result, bool stopped, RunInfo* info) {
                                            result.first_skipped);
 }
 
-void note_mask(const OwnPartMask& own, RunInfo* info) {
+void note_mask(const EgoMaskImage& own, RunInfo* info) {
   if (!own) return;
-  info->own_mask = {own->width(), own->height(), {}};
+  info->ego_mask = {own->width(), own->height(), {}};
   int masked = 0;
   for (int y = 0; y < own->height(); ++y)
     for (int x = 0; x < own->width(); ++x) {
-      info->own_mask.pixels.push_back(own->at(x, y) ? 0 : 255);
+      info->ego_mask.pixels.push_back(own->at(x, y) ? 0 : 255);
       masked += own->at(x, y) != 0;
     }
   char text[80];
   std::snprintf(text, sizeof text, "%.0f %% of the image is fixed to the camera and left out: mask.png",
-                100.0 * masked / double(info->own_mask.pixels.size()));
+                100.0 * masked / double(info->ego_mask.pixels.size()));
   info->notes.emplace_back("mask", text);
 }
 

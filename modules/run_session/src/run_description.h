@@ -11,7 +11,7 @@
 namespace edgevo {
 
 /// The newest mask of what is fixed to the camera.
-using OwnPartMask = std::shared_ptr<const Plane<uint8_t>>;
+using EgoMaskImage = std::shared_ptr<const Plane<uint8_t>>;
 
 /// What is known when the run begins.
 RunInfo describe_run(const RunRequest& request, const ImageSource& source, const OdometryOptions& odometry);
@@ -20,6 +20,6 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info);
 /// How the run ended; `stopped`: by the user.
 void note_end(const RunResult& result, bool stopped, RunInfo* info);
 /// What was fixed to the camera at the end; null: nothing.
-void note_mask(const OwnPartMask& own, RunInfo* info);
+void note_mask(const EgoMaskImage& own, RunInfo* info);
 
 }  // namespace edgevo

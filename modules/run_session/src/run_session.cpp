@@ -64,7 +64,7 @@ class RunSession {
   std::optional<MapCursor> scale_events_;
   std::optional<ProgressDisplay> progress_;
   ShowFrame show_;
-  OwnPartMask own_;
+  EgoMaskImage ego_mask_;
   int frames_ = 0, with_pose_ = 0;
   RunResult result_;
 };
@@ -131,10 +131,7 @@ ShowFrame RunSession::open_window() const {
 
 // Stores the image for the playback and the record on disk, updates the scale, the window and the progress.
 bool RunSession::after_frame(const ProcessedFrame& frame) {
-  // A view is a projection of all points, and the mask hardly ever changes.
-  constexpr int kFramesBetween = 10;
-  if (frame.record.index % kFramesBetween == 0)
-    if (const FrameView newest = frame.view(); newest.pyramid) own_ = newest.pyramid->own_mask;
+  ego_mask_ = frame.ego_mask;
   if (!outputs_->add_frame(frame.frame, frame.frame.image_path)) return false;
   outputs_->add_record(frame.record);
   for (const auto& event : scale_events_->read()) scaling_->apply(*event);
@@ -213,7 +210,7 @@ bool RunSession::finish() {
   look_for_up();
   scaling_->convert(&run);
   note_end(result_, host_.stop(), &info_);
-  note_mask(own_, &info_);
+  note_mask(ego_mask_, &info_);
   outputs_->finish(run, info_);
   trace_.close();
   print_end();

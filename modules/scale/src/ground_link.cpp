@@ -31,11 +31,11 @@ HeightOfUnit heights_by_unit(const Run& run, const std::vector<UnitPath>& paths,
 }
 
 // The ground links two parts that nothing else links, or nothing as certain.
-std::optional<UnitComparison> comparison(const std::optional<ScaleEstimate>& before,
-                                         const std::optional<ScaleEstimate>& after,
-                                         const UnitComparison& known) {
+std::optional<RelativeScale> comparison(const std::optional<ScaleEstimate>& before,
+                                        const std::optional<ScaleEstimate>& after,
+                                        const RelativeScale& known) {
   if (!before || !after) return std::nullopt;
-  UnitComparison unit;
+  RelativeScale unit;
   unit.ratio = after->factor / before->factor;
   unit.sigma = std::hypot(before->sigma, after->sigma);
   unit.by_ground = true;

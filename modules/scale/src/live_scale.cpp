@@ -57,7 +57,7 @@ void LiveScale::add_keyframe(int id, const KeyframeRecord& keyframe) {
 void LiveScale::apply(const MapMoved& moved) {
   if (moved.segment != segment_) return;
   for (HeightSample& height : heights_)
-    if (const KeyframeMove* move = moved.find(height.keyframe_id)) height.height *= move->length_ratio;
+    if (const KeyframeMove* move = moved.find(height.keyframe_id)) height.height *= move->scale_ratio;
   estimate_from_ground();
 }
 

@@ -19,7 +19,7 @@ void extend(int frame_index, Timestamp time, const SE3& T_world_cam, Path* path)
 std::vector<UnitPath> paths_by_unit(const Run& run) {
   std::vector<int> begins;
   for (const DoubtfulInterval& interval : doubtful_intervals(run))
-    if (interval.is_unit_unlinked()) begins.push_back(interval.first_frame);
+    if (interval.is_scale_unresolved()) begins.push_back(interval.first_frame);
   return paths_by_unit(run, begins);
 }
 

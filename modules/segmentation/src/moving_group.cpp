@@ -144,15 +144,15 @@ std::vector<OrientedPixel> pixels_of(const std::vector<std::vector<OrientedPixel
 void grow(const Cells& cells, const std::vector<std::vector<OrientedPixel>>& by_cell,
           const PyramidLevel& finest, const ImageSimilarity& motion, std::vector<bool>* area) {
   std::vector<int> open;
-  std::vector<bool> is_asked = *area;
+  std::vector<bool> is_visited = *area;
   for (int c = 0; c < int(area->size()); ++c)
     if ((*area)[size_t(c)]) open.push_back(c);
   while (!open.empty()) {
     const int from = open.back();
     open.pop_back();
     cells.around(from, [&](int c) {
-      if (is_asked[size_t(c)]) return;
-      is_asked[size_t(c)] = true;
+      if (is_visited[size_t(c)]) return;
+      is_visited[size_t(c)] = true;
       const std::vector<OrientedPixel>& pixels = by_cell[size_t(c)];
       if (int(pixels.size()) < kMinInCell || agreeing_share(finest, pixels, motion) < kGrowShare) return;
       (*area)[size_t(c)] = true;
@@ -191,7 +191,7 @@ double median_idepth(const ReferenceCloud& cloud) {
 
 // In one step a vehicle ahead moves as something could that stands still further away: then it is where the
 // map puts its points that does not fit. So does a group at a depth that the map has wrong; what follows
-// parts them (MovingBodies), and a small error is usual. Where the camera has hardly moved, depths make no
+// parts them (MovingObjects), and a small error is usual. Where the camera has hardly moved, depths make no
 // difference.
 bool may_move_by_itself(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                         const std::vector<int>& group, const std::vector<OrientedPixel>& pixels,

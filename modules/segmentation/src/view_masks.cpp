@@ -2,18 +2,18 @@
 #include "edgevo/segmentation/view_masks.h"
 
 #include "border_mask.h"
-#include "fixed_parts.h"
-#include "own_mask.h"
+#include "ego_mask.h"
+#include "ego_mask_finder.h"
 
 namespace edgevo {
 
 struct ViewMasks::Impl {
   Rectification rectification;
-  bool finds_own_parts;
+  bool finds_ego_parts;
   BorderMask border;
-  FixedParts fixed;
-  OwnMask own;
-  std::shared_ptr<const Plane<uint8_t>> own_of_image;  // the newest one
+  EgoMaskFinder fixed;
+  EgoMask own;
+  std::shared_ptr<const Plane<uint8_t>> ego_of_image;  // the newest one
 };
 
 ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& params)
@@ -21,7 +21,7 @@ ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& param
                      params.find_own_parts,
                      {},
                      {},
-                     OwnMask(params.mask, rectification.camera().pinhole().width,
+                     EgoMask(params.mask, rectification.camera().pinhole().width,
                              rectification.camera().pinhole().height),
                      {}}) {}
 ViewMasks::~ViewMasks() = default;
@@ -29,11 +29,11 @@ ViewMasks::ViewMasks(ViewMasks&&) noexcept = default;
 
 ImageMasks ViewMasks::add_image(const ImageView<uint8_t>& raw) {
   impl_->border.add(raw);
-  impl_->own_of_image = impl_->own.mask();
-  return {impl_->border.mask(), impl_->own_of_image};
+  impl_->ego_of_image = impl_->own.mask();
+  return {impl_->border.mask(), impl_->ego_of_image};
 }
 
-bool ViewMasks::wants_edges() const { return impl_->finds_own_parts; }
+bool ViewMasks::wants_edges() const { return impl_->finds_ego_parts; }
 
 void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
                           const ImageCorrection& correction) {
@@ -45,12 +45,12 @@ void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, int
 }
 
 // What was found in this image holds from the next one on.
-bool ViewMasks::may_show_own_part() const {
-  return impl_->finds_own_parts && (impl_->fixed.is_undecided() || impl_->own.mask() != impl_->own_of_image);
+bool ViewMasks::may_show_ego_part() const {
+  return impl_->finds_ego_parts && (impl_->fixed.is_undecided() || impl_->own.mask() != impl_->ego_of_image);
 }
 
 StillCells ViewMasks::still_cells() const {
-  return impl_->finds_own_parts ? impl_->fixed.still_cells() : StillCells{};
+  return impl_->finds_ego_parts ? impl_->fixed.still_cells() : StillCells{};
 }
 
 }  // namespace edgevo

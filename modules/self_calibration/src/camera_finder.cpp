@@ -49,7 +49,7 @@ class CameraFinder {
     options_.initial_damping = 1e-6;
   }
 
-  CameraFinding run() {
+  CameraDecision run() {
     // Corners know it whatever the map, also a later, shorter one.
     if (const std::optional<double> focal = focal_length_to_try(known_, params_.significance))
       return try_focal_length(*focal);
@@ -65,9 +65,9 @@ class CameraFinder {
   }
 
  private:
-  CameraFinding nothing() const { return {state_, std::nullopt, false}; }
+  CameraDecision nothing() const { return {state_, std::nullopt, false}; }
 
-  CameraFinding try_focal_length(double focal) {
+  CameraDecision try_focal_length(double focal) {
     const CameraEstimate before = search(false, false);
     CameraSearch s;
     s.start = known_.correction;
@@ -147,7 +147,7 @@ class CameraFinder {
   }
 
   // Decides what of an estimate is applied. Insignificant values are reset, and the rest is estimated again.
-  CameraFinding apply_significant(CameraEstimate e) {
+  CameraDecision apply_significant(CameraEstimate e) {
     const bool k1_free = e.free[kK1], readout_free = e.free[kReadout];
     bool k1 = false, readout = false, given_up = false;
     if (readout_free) {
@@ -177,7 +177,7 @@ class CameraFinder {
 
   // What the estimate was not made of supports the camera file. Moves the map only if it was corrected
   // before.
-  CameraFinding back_to_file() {
+  CameraDecision back_to_file() {
     for (State* state : {&state_.state, &state_.shutter.state})
       if (*state == State::kApplied) *state = State::kInsignificant;
     state_.correction = by_file();
@@ -202,8 +202,8 @@ class CameraFinder {
 
 }  // namespace
 
-CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,
-                          const SelfCalibrationParams& params, const BaOptions& options) {
+CameraDecision find_camera(const CameraProblem& problem, const CameraRefinement& known,
+                           const SelfCalibrationParams& params, const BaOptions& options) {
   return CameraFinder(problem, known, params, options).run();
 }
 

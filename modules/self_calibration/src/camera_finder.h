@@ -10,7 +10,7 @@
 namespace edgevo {
 
 /// Outcome of an estimate.
-struct CameraFinding {
+struct CameraDecision {
   /// Knowledge after the estimate; its values are those of `estimate`, or as before.
   CameraRefinement state;
   /// The estimate, if something is to be applied.
@@ -23,7 +23,7 @@ struct CameraFinding {
 /// observable later. From then on k1 is, and the read-out time with it if it is known already or if one more
 /// step indicates a rolling shutter. A focal length that corners show comes first, and alone. `known`:
 /// results of earlier estimates.
-CameraFinding find_camera(const CameraProblem& problem, const CameraRefinement& known,
-                          const SelfCalibrationParams& params, const BaOptions& options);
+CameraDecision find_camera(const CameraProblem& problem, const CameraRefinement& known,
+                           const SelfCalibrationParams& params, const BaOptions& options);
 
 }  // namespace edgevo

@@ -27,7 +27,7 @@ struct Track {
 };
 
 // Corners that are seen in enough views, by ascending id.
-std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<CornerSights>& views) {
+std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<FeatureObservations>& views) {
   std::map<uint32_t, Track> by_id;
   for (size_t v = 0; v < views.size(); ++v)
     for (const FollowedCorner& c : views[v].corners)
@@ -52,7 +52,7 @@ double intersect(const BaProblem& p, int host, const Eigen::Vector3d& ray, const
 }
 
 // Hosts take turns: the host's own sight counts as exact, and so no view's errors are those of all points.
-CameraProblem make_problem(const Rectification& rectification, const std::vector<CornerSights>& views,
+CameraProblem make_problem(const Rectification& rectification, const std::vector<FeatureObservations>& views,
                            const std::vector<Track>& tracks) {
   CameraProblem problem;
   problem.rectification = rectification;
@@ -116,13 +116,13 @@ CameraSearch search_from(const CameraError& start, double k1) {
 }  // namespace
 
 std::optional<FocalError> adjust_corners(const Rectification& rectification,
-                                         const std::vector<CornerSights>& views,
+                                         const std::vector<FeatureObservations>& views,
                                          const ImageCorrection& lens) {
   BaOptions options;
   options.relative_decrease = kEnoughDecrease;
   CameraError error;
   error.correction.k1 = lens.k1, error.correction.focal = lens.focal;
-  std::vector<CornerSights> placed = views;
+  std::vector<FeatureObservations> placed = views;
   std::vector<Track> tracks = tracks_of(rectification.target(), views);
   CameraEstimate found;
   for (int round = 0; round < kRounds; ++round) {

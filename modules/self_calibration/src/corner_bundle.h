@@ -11,7 +11,7 @@
 namespace edgevo {
 
 /// The corners of one image, by ascending id, and the camera's pose in the odometry's path.
-struct CornerSights {
+struct FeatureObservations {
   SE3 T_cam_path;
   /// Rays by the camera file alone.
   std::vector<FollowedCorner> corners;
@@ -21,6 +21,7 @@ struct CornerSights {
 /// it, where the search starts. Nothing: too few corners, or no minimum. The standard deviation is that of
 /// errors which are common to neighbouring corners and images, as those of followed patches are.
 std::optional<FocalError> adjust_corners(const Rectification& rectification,
-                                         const std::vector<CornerSights>& views, const ImageCorrection& lens);
+                                         const std::vector<FeatureObservations>& views,
+                                         const ImageCorrection& lens);
 
 }  // namespace edgevo

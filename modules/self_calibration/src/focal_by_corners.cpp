@@ -35,12 +35,12 @@ constexpr std::array<double, kMaxWindows - kMinWindows + 1> kStudent{2.20, 1.62,
 
 struct FocalByCorners::Impl {
   Rectification rectification;
-  std::vector<CornerSights> views;
+  std::vector<FeatureObservations> views;
   SE3 T_cam_path;
   ImageCorrection lens;         // of the last image
   std::vector<double> windows;  // logarithm of true over file's focal length
 
-  std::vector<double> ways_since_view(const std::vector<FollowedCorner>& corners) const;
+  std::vector<double> displacements_since_view(const std::vector<FollowedCorner>& corners) const;
   void add_view(const std::vector<FollowedCorner>& corners);
   void measure();
 };
@@ -52,7 +52,8 @@ FocalByCorners::~FocalByCorners() = default;
 FocalByCorners::FocalByCorners(FocalByCorners&&) noexcept = default;
 
 // Those of the corners of the last view that are still followed, widths of the image.
-std::vector<double> FocalByCorners::Impl::ways_since_view(const std::vector<FollowedCorner>& corners) const {
+std::vector<double> FocalByCorners::Impl::displacements_since_view(
+    const std::vector<FollowedCorner>& corners) const {
   const double to_widths = rectification.target().fx / rectification.target().width;
   std::vector<double> ways;
   auto before = views.back().corners.begin();
@@ -66,7 +67,7 @@ std::vector<double> FocalByCorners::Impl::ways_since_view(const std::vector<Foll
 
 void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) {
   if (!views.empty()) {
-    const std::vector<double> ways = ways_since_view(corners);
+    const std::vector<double> ways = displacements_since_view(corners);
     if (ways.size() < kMinFollowed)
       views.clear();
     else if (median(ways) < kMinWay)

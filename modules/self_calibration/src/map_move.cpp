@@ -69,7 +69,7 @@ KeyframeMove make_keyframe_move(const Rectification& c, const LensChange& lens, 
   m.id = k.id;
   m.motion = k.motion;
   m.T_cam_newest = T_cam_newest;
-  m.length_ratio = 1.0 / ratio;
+  m.scale_ratio = 1.0 / ratio;
   for (size_t i = 0; i < k.points.size(); ++i) {
     const double idepth =
         point_index[i] >= 0 ? solution.points[point_index[i]].idepth : k.points[i].idepth * ratio;

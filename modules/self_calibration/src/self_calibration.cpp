@@ -43,8 +43,9 @@ struct SelfCalibration::Job {
   int moves = 0;  // of the map at its beginning
   bool is_of_focal_length = false;
   CalibrationHistory history;
-  std::optional<CameraFinding> found;
-  std::future<CameraFinding> finding;  // last member: it waits for its thread before the history is destroyed
+  std::optional<CameraDecision> found;
+  std::future<CameraDecision>
+      finding;  // last member: it waits for its thread before the history is destroyed
 };
 
 void SelfCalibrationParams::visit(ParamVisitor& v) {
@@ -141,7 +142,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
     return std::nullopt;
   const CalibrationHistory history = make_history(rectification_, state_.correction, keyframes);
   int known = int(keyframes.size());
-  CameraFinding found;
+  CameraDecision found;
   std::unique_ptr<Job> job = std::move(job_);
   if (job && job->moves != map.moves()) {
     // Others have moved the map meanwhile: the estimate would move it back.

@@ -8,12 +8,12 @@
 namespace edgevo {
 namespace {
 
-constexpr double kUsualStep = 0.1;  // seconds, of a source that does not know its times beforehand
+constexpr double kTypicalStep = 0.1;  // seconds, of a source that does not know its times beforehand
 
-double usual_step(const std::vector<Timestamp>& times) {
+double typical_step(const std::vector<Timestamp>& times) {
   std::vector<double> steps;
   for (size_t i = 1; i < times.size(); ++i) steps.push_back(seconds_between(times[i - 1], times[i]));
-  return steps.empty() ? kUsualStep : median(std::move(steps));
+  return steps.empty() ? kTypicalStep : median(std::move(steps));
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ double usual_step(const std::vector<Timestamp>& times) {
 OverlaidSource::OverlaidSource(std::unique_ptr<ImageSource> source, const OverlayOptions& options)
     : WrappedSource(std::move(source)),
       overlay_(options, inner().camera().pinhole().width, inner().camera().pinhole().height),
-      step_s_(usual_step(inner().times())) {}
+      step_s_(typical_step(inner().times())) {}
 
 std::optional<int> OverlaidSource::size() const {
   const std::optional<int> frames = inner().size();

@@ -108,9 +108,9 @@ Overlay::Overlay(const OverlayOptions& options, int width, int height)
   if (options_.crossing_px > 0) bus_ = drawn(3, bus_side);
   if (options_.own_part.empty()) return;
   own_ = drawn(1, own_part_look(options_.own_part));
-  own_mask_.assign(size_t(width) * height, 255);
-  GrayImage ignored{width, height, std::vector<uint8_t>(own_mask_.size())};
-  paste_own(0, ignored, &ignored, &own_mask_);
+  ego_mask_.assign(size_t(width) * height, 255);
+  GrayImage ignored{width, height, std::vector<uint8_t>(ego_mask_.size())};
+  paste_own(0, ignored, &ignored, &ego_mask_);
 }
 
 // Some reach over the whole width; else a rectangle leaves the lower border of the image, somewhat right of
@@ -239,7 +239,7 @@ OverlaidImage Overlay::apply(const GrayImage& image, int index, double seconds,
   if (!options_.passing.empty())
     if (const std::optional<BodyBox> place = passing_place(seconds)) paste_moving(lorry_, *place);
   if (options_.crossing_px > 0 && standing) paste_moving(bus_, crossing_place(*standing));
-  std::vector<uint8_t> own = own_mask_;
+  std::vector<uint8_t> own = ego_mask_;
   if (!own.empty()) paste_own(index, image, &out.image, &own);
   return out;
 }

@@ -14,7 +14,7 @@ namespace {
 constexpr uint64_t kPlanPurpose = 0x726f6f6d73;
 constexpr int kMinFrames = 150, kMaxFrames = 200;
 constexpr int kTries = 5000;
-constexpr double kBesideDoor = 0.4;  // least wall next to a doorway, metres
+constexpr double kNextToDoor = 0.4;  // least wall next to a doorway, metres
 constexpr double kStraight = 0.9;    // the walk goes straight this far before and after a doorway, metres
 constexpr double kFromWall = 1.0;    // least distance of its other waypoints from a wall, metres
 
@@ -81,7 +81,7 @@ class Planner {
     Room& from = plan_.rooms.back();
     Room to = room_of(any_size());
     Doorway out{side, 0, random_.uniform(0.95, 1.7), random_.uniform(2.0, 2.25)};
-    const double margin = out.width / 2 + kBesideDoor;
+    const double margin = out.width / 2 + kNextToDoor;
     out.middle = random_.uniform(low_end(from, side) + margin, high_end(from, side) - margin);
     Doorway in = out;
     in.side = opposite(side);

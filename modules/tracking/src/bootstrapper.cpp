@@ -25,22 +25,22 @@ Reasons Bootstrapper::make_map(const BootstrapResult& views) {
 }
 
 SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
-                                  const std::optional<SureView>& before, const std::optional<ViewLink>& link,
-                                  std::optional<double> scale) const {
+                                  const std::optional<TrustedReference>& before,
+                                  const std::optional<ViewLink>& link, std::optional<double> scale) const {
   if (before && link)
     return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
                         *map_->reference(), {link->T_b_a, link->scale, link->sigma});
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
-      frames_->run().last_sure_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
+      frames_->run().last_trusted_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const BootstrapView &first = views.views.front(), &last = views.views.back();
   return join_segment(segment, previous, sure, {first.time, last.time, last.T_cam_first}, scale);
 }
 
 NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,
-                                       const std::optional<SureView>& before, std::optional<double> scale,
-                                       const SegmentBeginning* known) {
+                                       const std::optional<TrustedReference>& before,
+                                       std::optional<double> scale, const SegmentBeginning* known) {
   const std::optional<ViewLink> link = known ? known->link : find_link(pinhole_, before, *map_->reference());
   frames_->begin_segment(place(segment, views, before, link, scale));
   map_->begin_segment(segment);

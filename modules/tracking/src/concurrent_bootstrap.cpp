@@ -32,15 +32,15 @@ void ConcurrentBootstrap::reset() {
   if (!frames_wait()) late_.clear();
 }
 
-BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, OwnParts& own_parts,
-                                          const std::optional<SureView>& before) {
+BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonitor& own_parts,
+                                          const std::optional<TrustedReference>& before) {
   catches_up_ = false;
   add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
-  if (status.result && own_parts.delays_map(now.may_show_own_part)) {
+  if (status.result && own_parts.delays_map(now.may_show_ego_part)) {
     resume();
-    return {std::nullopt, {{ReasonKind::kMayBeOwnPart}}};
+    return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
   if (!status.result) return status;
@@ -100,14 +100,14 @@ void ConcurrentBootstrap::search_next() {
   status_ = std::move(status);
 }
 
-void ConcurrentBootstrap::begin_map(BootstrapResult views, std::optional<SureView> before) {
+void ConcurrentBootstrap::begin_map(BootstrapResult views, std::optional<TrustedReference> before) {
   making_ = worker_.begin([this, views = std::move(views), before = std::move(before)]() mutable {
     return make_map(std::move(views), before);
   });
   reset();  // of the search alone: frames wait now
 }
 
-MadeMap ConcurrentBootstrap::make_map(BootstrapResult views, const std::optional<SureView>& before) {
+MadeMap ConcurrentBootstrap::make_map(BootstrapResult views, const std::optional<TrustedReference>& before) {
   const TraceScope traced("first map", views.views.back().frame_index);
   MadeMap made{{}, std::move(views), {}};
   map_->rectify_rows(&made.views);

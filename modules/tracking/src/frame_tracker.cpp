@@ -187,7 +187,7 @@ Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges) {
   return track;
 }
 
-Track hold_pose(const TrackingTask& task, const SE3& T_cur_ref) {
+Track zero_velocity_update(const TrackingTask& task, const SE3& T_cur_ref) {
   const AlignmentParams& params = task.params.alignment;
   const ReferenceCloud& cloud = task.reference.cloud;
   // Where the edges would have it; only its statistics count.
@@ -196,7 +196,7 @@ Track hold_pose(const TrackingTask& task, const SE3& T_cur_ref) {
   held.T_cur_ref = T_cur_ref;
   held.evidence = weigh_evidence(task.pyramid, cloud, T_cur_ref, params);
   Track track;
-  track.is_held = true;
+  track.is_zero_velocity = true;
   track.twist = task.motion.twist(T_cur_ref);
   track.result = assess(task.pyramid, cloud, held, params);
   track.step_sigmas = step_sigmas(task.motion, T_cur_ref);

@@ -21,15 +21,16 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
       random_(Random::derive(options.seed, 3)),
       keyframes_(rectification.target(), params.keyframe),
       coverage_(params.bootstrap_out_of_view) {
-  if (options.corners_beside) corners_beside_ = std::make_unique<CornerSearch>(params, options.seed);
+  if (options.corners_in_parallel)
+    corners_in_parallel_ = std::make_unique<CornerSearch>(params, options.seed);
 }
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
   const RowRectification rows{row_time(builder_.correction()), expected_motion(has_pose), rectification_};
   newest_pyramid_ = builder_.build(frame, rows.expected, &masks_);
   StillCells still = masks_.still_cells();
-  if (still.empty()) standstill_.clear();
-  return {frame, newest_pyramid_, rows, std::move(still), masks_.may_show_own_part()};
+  if (still.empty()) stationary_.clear();
+  return {frame, newest_pyramid_, rows, std::move(still), masks_.may_show_ego_part()};
 }
 
 // The motion for which the rows of the next image are rectified: constant velocity.
@@ -50,16 +51,16 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   add_pose(track.result, *reference_, &record.evidence);
   record.evidence.step_sigmas = track.step_sigmas;
   if (!is_lost(classify(record.evidence, params_.status)))
-    track.result.smooth_px2 = smooth_error_.add(track.result.smooth);
-  record.evidence.stands = standstill_.stands(now.still, now.pyramid->finest().pinhole, reference_->cloud,
-                                              track.result.T_cur_ref, motion_.usual_step());
+    track.result.correlated_px2 = correlated_residual_.add(track.result.smooth);
+  record.evidence.stands = stationary_.stands(now.still, now.pyramid->finest().pinhole, reference_->cloud,
+                                              track.result.T_cur_ref, motion_.typical_step());
   return track;
 }
 
 TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, bool was_lost) {
   return {*now.pyramid, scene,    motion_,
           keyframes_,   params_,  now.rows,
-          was_lost,     &random_, corners_beside_ != nullptr};
+          was_lost,     &random_, corners_in_parallel_ != nullptr};
 }
 
 // Without what moves by itself; again, if something is found to.
@@ -78,42 +79,42 @@ Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
     found.corner_ms += corner_ms;
   }
   found.scene = scene;
-  hold_standstill(now, was_lost, &found);
-  found.moving_bodies =
+  update_zero_velocity(now, was_lost, &found);
+  found.moving_objects =
       bodies_.evaluate(builder_.pinhole(), motion_to(found.result.T_cur_ref), reference_->median_idepth);
   return found;
 }
 
 // The pose of before, where something hides so much of the view that no pose is supported.
-void FrontEnd::hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found) {
+void FrontEnd::update_zero_velocity(const ArrivedFrame& now, bool was_lost, Track* found) {
   if (classify(evidence_of(found->result), params_.status) == PoseSupport::kGood) return;
   std::shared_ptr<const Reference> still =
-      standstill_.still_part(*now.pyramid, now.still, reference_, found->result.T_cur_ref, params_.alignment);
+      stationary_.still_part(*now.pyramid, now.still, reference_, found->result.T_cur_ref, params_.alignment);
   if (!still) return;
   const double corner_ms = found->corner_ms;
-  *found = hold_pose(task(now, *still, was_lost), standstill_.T_standing_ref());
+  *found = zero_velocity_update(task(now, *still, was_lost), stationary_.T_standing_ref());
   found->corner_ms = corner_ms;
   found->scene = std::move(still);
 }
 
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
-std::optional<Reason> FrontEnd::reason_against_step(const SE3& T_cur_ref) const {
+std::optional<Reason> FrontEnd::step_gate(const SE3& T_cur_ref) const {
   const double step = motion_.step_to(T_cur_ref), most = motion_.largest_step(1 / reference_->median_idepth);
   if (step <= most) return std::nullopt;
-  return Reason{ReasonKind::kStep, kGiantTimes * step / most};
+  return Reason{ReasonKind::kStep, kStepGate * step / most};
 }
 
 // What a search of corners must know of a frame before its pose is accepted. A frame that comes during
 // another search does without.
 std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Track& track) const {
-  if (!track.wants_corners || corners_beside_->is_busy()) return std::nullopt;
+  if (!track.wants_corners || corners_in_parallel_->is_busy()) return std::nullopt;
   return CornerJob{now.pyramid, track.scene, motion_, keyframes_, now.rows, *track.wants_corners};
 }
 
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
   motion_.follow(track.result.T_cur_ref, track.used_median_motion);
-  standstill_.follow(now.still, track.result.T_cur_ref, now.record->evidence.stands);
+  stationary_.follow(now.still, track.result.T_cur_ref, now.record->evidence.stands);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;
@@ -130,7 +131,7 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
   if (tracked.make_keyframe && params_.rectify_keyframes) rectify_keyframe(now, track.twist, &tracked);
   if (tracked.make_keyframe && corners) {
     corners->measured = tracked.motion;
-    tracked.by_corners = corners_beside_->begin(std::move(*corners));
+    tracked.by_corners = corners_in_parallel_->begin(std::move(*corners));
   }
   return tracked;
 }
@@ -153,13 +154,13 @@ void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
   if (reference_) {
     if (newest->unit != reference_->unit) {
-      motion_.change_unit(newest->unit / reference_->unit);
-      standstill_.change_unit(newest->unit / reference_->unit);
+      motion_.rescale(newest->unit / reference_->unit);
+      stationary_.rescale(newest->unit / reference_->unit);
     }
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
     motion_.change_reference(T_old_world * newest->T_ref_world.inverse());
-    standstill_.change_reference(T_old_world * newest->T_ref_world.inverse());
+    stationary_.change_reference(T_old_world * newest->T_ref_world.inverse());
   }
   reference_ = std::move(newest);
 }
@@ -170,7 +171,7 @@ void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::
   keyframes_.restart();
   coverage_.restart();
   bodies_.clear();
-  standstill_.clear();
+  stationary_.clear();
 }
 
 FrameView FrontEnd::view(double idepth_factor) const {

@@ -47,7 +47,7 @@ double MotionModel::largest_step(double median_depth) const {
   return kTimes * std::max({usual, steps_.mean(1), kSmallShare * median_depth});
 }
 
-Eigen::Vector3d MotionModel::usual_step() const {
+Eigen::Vector3d MotionModel::typical_step() const {
   const double usual = steps_.median();
   return std::isfinite(usual) ? Eigen::Vector3d(usual * direction_) : Eigen::Vector3d::Zero();
 }
@@ -79,11 +79,11 @@ void MotionModel::follow(const SE3& T_cur_ref, bool held) {
   seconds_since_ = 0;
 }
 
-void MotionModel::change_unit(double length_ratio) {
-  const auto scaled = [&](const SE3& T) { return SE3(T.rotation(), length_ratio * T.translation()); };
+void MotionModel::rescale(double scale_ratio) {
+  const auto scaled = [&](const SE3& T) { return SE3(T.rotation(), scale_ratio * T.translation()); };
   T_last_ref_ = scaled(T_last_ref_);
   velocity_ = scaled(velocity_);
-  steps_.multiply(length_ratio);
+  steps_.multiply(scale_ratio);
   median_motion_ = MedianMotion();
 }
 

@@ -275,7 +275,7 @@ TEST(BoardFinder, AnImageWithFewerPixelsThanItsSizeIsRefused) {
   EXPECT_THROW(BoardFinder(chessboard()).find({640, 480, std::vector<uint8_t>(1000)}), InputError);
 }
 
-TEST_F(CalibrateCamera, LeavesOutImagesOfAnotherSizeThanMost) {
+TEST_F(CalibrateCamera, SkipsImagesOfAnotherSizeThanMost) {
   const test::DrawnBoard drawn(camera_, chessboard_texture(), kSquarePx / kSquare);
   const GrayImage one = drawn.seen_from(test::board_pose(kCentre, 20, 10, {0, 0, 0.42}));
   const GrayImage two = drawn.seen_from(test::board_pose(kCentre, -20, 10, {0.03, 0, 0.42}));

@@ -88,7 +88,7 @@ TEST(CalibratedLens, PlumbBobStaysThatOfAnOrdinaryLens) {
   EXPECT_EQ(c.tried.size(), 3u);
 }
 
-TEST(CalibratedLens, TheAskedModelIsTheOnlyOneTried) {
+TEST(CalibratedLens, TheRequestedModelIsTheOnlyOneTried) {
   const Camera truth =
       camera_of(RationalModel{{}, {{0.9, 0.2, 0, 0, 0.01}, 1.2, 0.4, 0.03, 0, 0, 0, 0}}, 250);
   const BoardViews all = all_views(truth, 0.3, 1.1);

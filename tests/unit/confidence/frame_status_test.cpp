@@ -99,9 +99,9 @@ TEST(FrameStatus, AHeldPoseNeedsNoPointsInView) {
   StatusParams strict = kParams;
   strict.min_visible = 1001;
   EXPECT_EQ(frame_status(good_frame(), strict).state, TrackingState::kLost);
-  EXPECT_EQ(status_of_held_pose(good_frame(), strict).state, TrackingState::kTracking);
+  EXPECT_EQ(status_at_zero_velocity(good_frame(), strict).state, TrackingState::kTracking);
   strict.degraded_share = 0.95;
-  EXPECT_EQ(status_of_held_pose(good_frame(), strict).state, TrackingState::kDegraded);
+  EXPECT_EQ(status_at_zero_velocity(good_frame(), strict).state, TrackingState::kDegraded);
 }
 
 // ---- the image and the map ----

@@ -61,7 +61,7 @@ TEST(TimeOrder, ARepeatedTimeCostsItsFrame) {
   EXPECT_EQ(checked[2].time, at(2)) << "that of the last good frame";
 }
 
-TEST(TimeOrder, OfTwoSwappedFramesOneIsLeftOut) {
+TEST(TimeOrder, OfTwoSwappedFramesOneIsSkipped) {
   EXPECT_EQ(bad(check({at(1), at(2), at(4), at(3), at(5)})), std::vector<size_t>{3});
   TimeOrder live;  // without the time of the following frame
   for (const double s : {1, 2, 4}) EXPECT_THAT(live.check(at(s)).problem, IsEmpty());

@@ -139,7 +139,7 @@ TEST(BoundedQueue, GivesWhatWaitsAfterItIsClosed) {
   EXPECT_EQ(queue.pop(), std::nullopt);
 }
 
-TEST(BoundedQueue, WaitsNoLongerThanAsked) {
+TEST(BoundedQueue, WaitsNoLongerThanRequested) {
   BoundedQueue<int> queue(1);
   EXPECT_EQ(queue.pop_within(std::chrono::milliseconds(1)), std::nullopt);
   EXPECT_FALSE(queue.is_finished());

@@ -66,7 +66,7 @@ TEST_F(ImageSeries, NumberedCamerasAreTwo) {
   EXPECT_THAT(refusal(), HasSubstr("cam0_#.png (4), cam1_#.png (4)"));
 }
 
-TEST_F(ImageSeries, MasksAndDepthsAreLeftOutAndSaid) {
+TEST_F(ImageSeries, MasksAndDepthsAreSkippedAndSaid) {
   add("#.png", 4);
   add("#_mask.png", 4);
   EXPECT_EQ(names().size(), 4u);
@@ -76,7 +76,7 @@ TEST_F(ImageSeries, MasksAndDepthsAreLeftOutAndSaid) {
   EXPECT_THAT(names(), ElementsAre("100.png", "101.png", "102.png", "103.png"));
 }
 
-TEST_F(ImageSeries, AFewOddFilesAreLeftOutWithAWarning) {
+TEST_F(ImageSeries, AFewOddFilesAreSkippedWithAWarning) {
   add("IMG_#.jpg", 40);
   test::write_text(folder_ / "map.png", "");
   EXPECT_EQ(names().size(), 40u);

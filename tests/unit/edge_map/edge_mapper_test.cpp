@@ -193,7 +193,7 @@ MapMoved half_the_size() {
     KeyframeMove m;
     m.id = k.id;
     m.T_cam_newest = SE3(T_cam_newest.rotation(), 0.5 * T_cam_newest.translation());
-    m.length_ratio = 0.5;
+    m.scale_ratio = 0.5;
     moved.keyframes.push_back(m);
   }
   return moved;

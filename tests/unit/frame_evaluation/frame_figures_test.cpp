@@ -18,7 +18,7 @@ using test::made_run;
 using test::MadeRun;
 using ::testing::HasSubstr;
 
-constexpr int kFrames = 2000, kBetweenFailures = 200, kToldFor = 10;
+constexpr int kFrames = 2000, kBetweenFailures = 200, kReportedFor = 10;
 
 bool is_wrong_step(int i) { return i % kBetweenFailures == kBetweenFailures - 1; }
 
@@ -28,7 +28,7 @@ MadeRun honest_run() {
   MadeRun made = made_run(test::winding_drive(kFrames), [](int i) { return is_wrong_step(i) ? 6 : 1; });
   for (int i = 0; i < kFrames; ++i) {
     double p = 0.99;
-    for (int k = std::max(0, i - kToldFor); k < i; ++k)
+    for (int k = std::max(0, i - kReportedFor); k < i; ++k)
       if (is_wrong_step(k)) p = 0.02;
     made.reported[size_t(i)].p_right = p;
   }
@@ -94,7 +94,7 @@ TEST(FrameFigures, TooSureOrTooModestIsACalibrationError) {
   EXPECT_NEAR(*figures(made).calibration_error, 0.2, 1e-9);
 }
 
-TEST(FrameFigures, PoolingCountsFramesAndKeepsTheWorstStretch) {
+TEST(FrameFigures, PoolingCountsFramesAndKeepsTheWorstInterval) {
   const MadeRun honest = honest_run();
   MadeRun silent = honest;
   for (ReportedFrame& c : silent.reported) c.p_right = 0.99;

@@ -52,7 +52,7 @@ class MapOfFive : public ::testing::Test {
     moved.keyframes.resize(1);
     const SE3 T = map_.marginalised()[0].T_cam_world * map_.active().back().T_cam_world.inverse();
     moved.keyframes[0].T_cam_newest = SE3(T.rotation(), 0.5 * T.translation());
-    moved.keyframes[0].length_ratio = 0.5;
+    moved.keyframes[0].scale_ratio = 0.5;
     return moved;
   }
   // All points are seen a pixel further to the right.

@@ -44,12 +44,12 @@ KeyframeMarginalised keyframe(int id, int frame_index, const SE3& T_map_cam = {}
   return {id, std::make_shared<const KeyframeRecord>(record), {}};
 }
 
-MapMoved move_of(int id, const SE3& T_cam_newest, double length_ratio) {
+MapMoved move_of(int id, const SE3& T_cam_newest, double scale_ratio) {
   MapMoved moved;
   moved.keyframes.resize(1);
   moved.keyframes[0].id = id;
   moved.keyframes[0].T_cam_newest = T_cam_newest;
-  moved.keyframes[0].length_ratio = length_ratio;
+  moved.keyframes[0].scale_ratio = scale_ratio;
   return moved;
 }
 
@@ -168,8 +168,8 @@ TEST(RunBuilder, ASecondEventOfAFrameReplacesTheFirst) {
   EXPECT_LT(last[0].time, last[1].time);
   EXPECT_EQ(builder.last_poses(0, 0, 5).size(), 1u);
   EXPECT_EQ(builder.last_poses(0, 1, 1).size(), 1u);
-  EXPECT_EQ(builder.last_sure_poses(0, 1, 2).size(), 2u);
-  EXPECT_TRUE(builder.last_sure_poses(0, 1, 3).empty());
+  EXPECT_EQ(builder.last_trusted_poses(0, 1, 2).size(), 2u);
+  EXPECT_TRUE(builder.last_trusted_poses(0, 1, 3).empty());
   const edgevo::Run run = builder.finish();
   EXPECT_EQ(run.frames[0].index, 0);
   EXPECT_TRUE(run.frames[0].T_world_cam);
@@ -241,7 +241,7 @@ TEST(RunBuilder, ComparesAStepWithThoseReportedBefore) {
   RunBuilder builder(test::pinhole());
   builder.apply(at_origin());
   for (int i = 0; i < 10; ++i) builder.apply(frame(i, FrameAnchor{1, {}, at(i).inverse(), 0}));
-  EXPECT_TRUE(std::isnan(builder.times_usual_step(10, at(12))));
+  EXPECT_TRUE(std::isnan(builder.step_ratio(10, at(12))));
   SegmentPlaced placed = at_origin(1);
   placed.T_world_map.scale = 20;
   builder.apply(placed);
@@ -249,9 +249,9 @@ TEST(RunBuilder, ComparesAStepWithThoseReportedBefore) {
   newest.frame.T_world_cam_live = at(15);
   builder.apply(newest);
   builder.apply(frame(13));  // without a pose
-  EXPECT_DOUBLE_EQ(builder.times_usual_step(13, at(35)), 20);
-  EXPECT_DOUBLE_EQ(builder.times_usual_step(14, at(35)), 10);     // over a gap
-  EXPECT_TRUE(std::isnan(builder.times_usual_step(12, at(12))));  // placed again: its own row is none before
+  EXPECT_DOUBLE_EQ(builder.step_ratio(13, at(35)), 20);
+  EXPECT_DOUBLE_EQ(builder.step_ratio(14, at(35)), 10);     // over a gap
+  EXPECT_TRUE(std::isnan(builder.step_ratio(12, at(12))));  // placed again: its own row is none before
 }
 
 TEST(RunBuilder, ComparesAStepWithThoseBeforeAStandstill) {
@@ -264,7 +264,7 @@ TEST(RunBuilder, ComparesAStepWithThoseBeforeAStandstill) {
     f.frame.evidence.stands = i > 20;
     builder.apply(f);
   }
-  EXPECT_NEAR(builder.times_usual_step(100, at(23)), 3, 1e-3);
+  EXPECT_NEAR(builder.step_ratio(100, at(23)), 3, 1e-3);
 }
 
 TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {

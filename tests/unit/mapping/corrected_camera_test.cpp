@@ -60,7 +60,7 @@ class CorrectedCamera : public testing::Test {
     return process(true);
   }
   bool is_corrected() const { return driver_.mapper.camera().correction != ImageCorrection(); }
-  int made_beside() {
+  int made_in_parallel() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return made_beside_;
   }
@@ -108,12 +108,12 @@ TEST_F(CorrectedCamera, IsAppliedBetweenKeyframesOnceAllImagesAreThere) {
   while (!is_corrected() && frame_ < kLastSweepFrame) {
     before = driver_.mapper.reference();
     // No keyframe comes while the images are made, however slow the machine is.
-    update = process(made_beside() == 0 && frame_ % kKeyframeStep == 0);
+    update = process(made_in_parallel() == 0 && frame_ % kKeyframeStep == 0);
   }
   ASSERT_TRUE(is_corrected());
   EXPECT_EQ(update.keyframe_id, -1) << "the frame makes no keyframe";
   EXPECT_EQ(made_by_mapping(), 0) << "the map waits for no image";
-  EXPECT_GE(made_beside(), int(driver_.mapper.window().keyframes().size()));
+  EXPECT_GE(made_in_parallel(), int(driver_.mapper.window().keyframes().size()));
   const ImageCorrection now = driver_.mapper.camera().correction;
   for (const Keyframe& k : driver_.mapper.window().keyframes()) EXPECT_EQ(k.pyramid->correction, now) << k.id;
   const auto after = driver_.mapper.reference();
@@ -123,8 +123,8 @@ TEST_F(CorrectedCamera, IsAppliedBetweenKeyframesOnceAllImagesAreThere) {
 }
 
 TEST_F(CorrectedCamera, IsLeftByKeyframesToTheFramesBetween) {
-  while (made_beside() == 0 && frame_ + kKeyframeStep < kLastSweepFrame) make_keyframe();
-  ASSERT_GT(made_beside(), 0) << "a correction was found";
+  while (made_in_parallel() == 0 && frame_ + kKeyframeStep < kLastSweepFrame) make_keyframe();
+  ASSERT_GT(made_in_parallel(), 0) << "a correction was found";
   for (int k = 0; k < 4; ++k) {
     make_keyframe();
     EXPECT_FALSE(is_corrected()) << k;

@@ -37,7 +37,7 @@ Plane<uint8_t> after_a_step(const Plane<uint8_t>& image) {
 }
 
 // A view of `image`, whose near points lie `depth` away in its map.
-SureView view(int keyframe, int segment, Plane<uint8_t> image, double depth) {
+TrustedReference view(int keyframe, int segment, Plane<uint8_t> image, double depth) {
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->levels.emplace_back().gray = std::move(image);
   auto reference = std::make_shared<Reference>();
@@ -60,16 +60,18 @@ SureView view(int keyframe, int segment, Plane<uint8_t> image, double depth) {
 
 constexpr double kNotAtAll = std::numeric_limits<double>::infinity();
 
-DoubtEvaluation evaluate(const std::vector<SureView>& before, const SureView& now,
+DoubtEvaluation evaluate(const std::vector<TrustedReference>& before, const TrustedReference& now,
                          double known_to = kNotAtAll) {
   return evaluate_doubt(kPinhole, before, now, known_to, [](int) { return 1.0; });
 }
 
 class AfterADoubt : public ::testing::Test {
  protected:
-  SureView before(int keyframe) const { return view(keyframe, 0, texture(1), 10); }
-  SureView failure(int keyframe) const { return view(keyframe, 0, texture(2), 10); }
-  SureView now(int segment, double depth) const { return view(5, segment, after_a_step(texture(1)), depth); }
+  TrustedReference before(int keyframe) const { return view(keyframe, 0, texture(1), 10); }
+  TrustedReference failure(int keyframe) const { return view(keyframe, 0, texture(2), 10); }
+  TrustedReference now(int segment, double depth) const {
+    return view(5, segment, after_a_step(texture(1)), depth);
+  }
 };
 
 TEST_F(AfterADoubt, WithoutAViewBeforeThereIsNothingToCompare) {
@@ -81,22 +83,22 @@ TEST_F(AfterADoubt, AnEarlierViewLinksWhatTheNewestDoesNot) {
   EXPECT_FALSE(evaluate({failure(3)}, now(1, 20)).unit->is_linked());
   const DoubtEvaluation found = evaluate({failure(3), before(2)}, now(1, 20));
   ASSERT_TRUE(found.unit->is_linked());
-  EXPECT_NEAR(found.ended.length_ratio, 0.5, 0.01);
+  EXPECT_NEAR(found.ended.scale_ratio, 0.5, 0.01);
 }
 
 // Within the same map all that came after the newest one was measured in the other unit.
 TEST_F(AfterADoubt, WhatCameAfterTheNewestViewIsSetBack) {
   const DoubtEvaluation found = evaluate({failure(3), before(2)}, now(0, 20));
-  EXPECT_NEAR(found.ended.length_ratio, 0.5, 0.01);
-  EXPECT_EQ(found.ended.last_sure_keyframe, 3);
+  EXPECT_NEAR(found.ended.scale_ratio, 0.5, 0.01);
+  EXPECT_EQ(found.ended.last_trusted_keyframe, 3);
 }
 
 // The unit of a new map is an estimate, which a better one replaces; that of one map is kept unless it is
 // shown to be wrong.
 TEST_F(AfterADoubt, ASmallDifferenceIsOneOfANewMapOnly) {
-  EXPECT_NEAR(evaluate({before(3)}, now(1, 10.4)).ended.length_ratio, 1 / 1.04, 0.005);
-  EXPECT_EQ(evaluate({before(3)}, now(0, 10.4)).ended.length_ratio, 1);
-  EXPECT_EQ(evaluate({before(3)}, now(1, 10.4), 0.001).ended.length_ratio, 1) << "known better";
+  EXPECT_NEAR(evaluate({before(3)}, now(1, 10.4)).ended.scale_ratio, 1 / 1.04, 0.005);
+  EXPECT_EQ(evaluate({before(3)}, now(0, 10.4)).ended.scale_ratio, 1);
+  EXPECT_EQ(evaluate({before(3)}, now(1, 10.4), 0.001).ended.scale_ratio, 1) << "known better";
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(Intensities, ValuesBeyondTheScalingAreBlackOrWhite) {
   EXPECT_EQ(with_pixels(image, scale).pixels, (std::vector<uint8_t>{0, 0, 255, 255}));
 }
 
-TEST(Intensities, TheValuesStayBesideThePixels) {
+TEST(Intensities, TheValuesStayWithThePixels) {
   const DeepImage image = deep_scene(16);
   const GrayImage gray = with_pixels(image, {0, 16});
   EXPECT_EQ(gray.values, image.values);

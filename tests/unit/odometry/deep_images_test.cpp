@@ -20,7 +20,7 @@ Frame in_twelve_bits(Frame frame, double light) {
 }
 
 // For 30 frames the light falls so far that 40 of 4096 values remain.
-TEST(DeepImages, ADimStretchKeepsItsPose) {
+TEST(DeepImages, ADimIntervalKeepsItsPose) {
   Odometry odometry(test::sweep_camera());
   for (int k = 0; k < kDeepFrames; ++k)
     odometry.process(in_twelve_bits(test::sweep_frame(k), k >= kDimBegin && k < kDimEnd ? 40.0 / 4096 : 1));

@@ -36,8 +36,8 @@ MapMoved made_up(const Map& map) {
     const SE3 T = stored.keyframe->T_world_cam.inverse() * map.active().back().T_cam_world.inverse();
     KeyframeMove m;
     m.id = id;
-    m.length_ratio = ratio_of(id);
-    m.T_cam_newest = SE3::exp(xi) * SE3(T.rotation(), m.length_ratio * T.translation());
+    m.scale_ratio = ratio_of(id);
+    m.T_cam_newest = SE3::exp(xi) * SE3(T.rotation(), m.scale_ratio * T.translation());
     moved.keyframes.push_back(m);
   }
   return moved;
@@ -153,7 +153,7 @@ TEST_F(MovedPast, KeyframesAndTheirPointsFollow) {
     EXPECT_LT((b.T_world_cam.inverse() * expected).log().norm(), 1e-12) << i;
     ASSERT_EQ(a.points.size(), b.points.size());
     for (size_t p = 0; p < a.points.size(); ++p) {
-      const float ratio = m ? float(m->length_ratio) : 1;
+      const float ratio = m ? float(m->scale_ratio) : 1;
       EXPECT_FLOAT_EQ(b.points[p].idepth, a.points[p].idepth / ratio);
       EXPECT_FLOAT_EQ(b.points[p].idepth_sigma, a.points[p].idepth_sigma / ratio);
     }
@@ -171,7 +171,7 @@ TEST_F(MovedPast, LinesOfMovedKeyframesFollow) {
       ASSERT_EQ(a[l].vertices.size(), b[l].vertices.size());
       for (size_t v = 0; v < a[l].vertices.size(); ++v) {
         EXPECT_EQ(a[l].vertices[v].px, b[l].vertices[v].px);
-        EXPECT_FLOAT_EQ(b[l].vertices[v].idepth, a[l].vertices[v].idepth / float(m->length_ratio));
+        EXPECT_FLOAT_EQ(b[l].vertices[v].idepth, a[l].vertices[v].idepth / float(m->scale_ratio));
       }
     }
   }

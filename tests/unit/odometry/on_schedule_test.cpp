@@ -117,7 +117,7 @@ TEST(OnSchedule, ASkippedFrameDoesNotStopTheMapInTheMaking) {
   EXPECT_GT(trajectory_error(odometry.finish(), 30, 60, sweep_pose).poses, 20);
 }
 
-TEST(Shedding, LeavesOutWhatItSaysAndKeepsThePoses) {
+TEST(Shedding, SkipsWhatItSaysAndKeepsThePoses) {
   constexpr int kFrames = 80;
   OdometryOptions options;
   options.realtime = true;
@@ -135,7 +135,7 @@ TEST(Shedding, LeavesOutWhatItSaysAndKeepsThePoses) {
   EXPECT_LT(error.rmse, 0.04 * error.length);
 }
 
-TEST(Shedding, NothingIsShedUnlessItIsAskedFor) {
+TEST(Shedding, NothingIsShedUnlessItIsRequested) {
   OdometryOptions options;
   options.realtime = true;
   const edgevo::Run run = test::run_sweep(60, options);

@@ -86,8 +86,8 @@ TEST(RunReport, ShowsTheMaskOfAPartThatIsFixedToTheCamera) {
   const test::SyntheticRun made = test::synthetic_run();
   RunInfo info;
   EXPECT_THAT(report_html({made.run, info, {}, {}, {}}), Not(HasSubstr("<section id=\"mask\">")));
-  info.own_mask = {40, 30, std::vector<uint8_t>(1200, 255)};
-  std::fill_n(info.own_mask.pixels.begin(), 300, uint8_t(0));
+  info.ego_mask = {40, 30, std::vector<uint8_t>(1200, 255)};
+  std::fill_n(info.ego_mask.pixels.begin(), 300, uint8_t(0));
   const std::string html = report_html({made.run, info, {}, {}, {}});
   EXPECT_THAT(html, HasSubstr("<section id=\"mask\">"));
   EXPECT_THAT(html, HasSubstr("black, 25.0 % of the image"));

@@ -38,7 +38,7 @@ class MoveOnce {
       KeyframeMove move;
       move.id = keyframe.id;
       move.T_cam_newest = change.apply(T_newest_map * keyframe.T_cam_world.inverse()).inverse();
-      move.length_ratio = kGrowth;
+      move.scale_ratio = kGrowth;
       moved.keyframes.push_back(move);
     }
     return moved;

@@ -149,7 +149,7 @@ TEST_F(RecoveryLogs, RestoresAMoveOfTheMap) {
   ASSERT_EQ(back.keyframes.size(), 2u);
   EXPECT_EQ(back.keyframes[0].id, 4);
   expect_same(back.keyframes[0].T_cam_newest, move.T_cam_newest);
-  EXPECT_EQ(back.keyframes[0].length_ratio, 1.1);
+  EXPECT_EQ(back.keyframes[0].scale_ratio, 1.1);
   ASSERT_EQ(back.keyframes[0].points.size(), 1u);
   EXPECT_EQ(back.keyframes[0].points[0].px, Eigen::Vector2d(1.5, 2.5));
   EXPECT_EQ(back.keyframes[0].points[0].idepth, 0.7);

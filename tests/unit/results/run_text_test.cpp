@@ -63,8 +63,8 @@ TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {
 TEST_F(RunText, FramesCsvHoldsTheUnitOfLengthAfterADoubt) {
   edgevo::Run run;
   run.frames.resize(3);
-  run.frames[1].evidence.unit = UnitComparison{1.0125, 0.028};
-  run.frames[2].evidence.unit = UnitComparison{};
+  run.frames[1].evidence.unit = RelativeScale{1.0125, 0.028};
+  run.frames[2].evidence.unit = RelativeScale{};
   const auto rows = lines_of(frames_csv(run));
   EXPECT_THAT(rows[1], Not(HasSubstr(",1.0125,")));
   EXPECT_THAT(rows[2], HasSubstr(",,,1,1.0125,0.0280,,0"));

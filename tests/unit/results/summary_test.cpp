@@ -60,7 +60,7 @@ edgevo::Run with_latency(edgevo::Run run) {
       latency.note_done(due_s, due_s + (i % 10 == 0 ? 2e-3 : 1e-4), due_s + 1e-3 * (10 + i));
   }
   run.realtime = RealtimeRecord();
-  run.realtime->left_out_of_mapping = 7;
+  run.realtime->skipped_by_mapping = 7;
   latency.write_to(&run);
   return run;
 }

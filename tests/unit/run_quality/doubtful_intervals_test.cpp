@@ -93,9 +93,9 @@ TEST(DoubtfulIntervals, IntervalsTenFramesApartAreOne) {
 TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
   edgevo::Run run = run_of(100);
   doubt(&run, 10, 12, kA);
-  run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
+  run.frames[23].evidence.unit = RelativeScale{1.01, 0.03};
   doubt(&run, 40, 42, kB);
-  run.frames[53].evidence.unit = UnitComparison{};
+  run.frames[53].evidence.unit = RelativeScale{};
   doubt(&run, 80, 80, kC);
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides",
                                       "frames 140 to 142: steps unlike those before; nothing links the unit "
@@ -106,15 +106,15 @@ TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
 TEST(DoubtfulIntervals, ANewMapThatNothingLinksIsOneEvenIfEachFrameHasGotAPose) {
   edgevo::Run run = run_of(120);
   doubt(&run, 10, 12, kA);
-  run.frames[23].evidence.unit = UnitComparison{1.01, 0.03};
-  run.frames[100].evidence.unit = UnitComparison{};
+  run.frames[23].evidence.unit = RelativeScale{1.01, 0.03};
+  run.frames[100].evidence.unit = RelativeScale{};
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides",
                                       "frame 200: nothing links the unit of length after it to that before"));
 }
 
 TEST(DoubtfulIntervals, ANewMapThatTheGroundLinksIsOneToo) {
   edgevo::Run run = run_of(120);
-  run.frames[100].evidence.unit = UnitComparison{0.9, 0.02, true};
+  run.frames[100].evidence.unit = RelativeScale{0.9, 0.02, true};
   EXPECT_THAT(texts(run),
               ElementsAre("frame 200: the height over the ground links the unit of length after it to "
                           "that before (times 0.9 +- 2.0 %)"));
@@ -123,9 +123,9 @@ TEST(DoubtfulIntervals, ANewMapThatTheGroundLinksIsOneToo) {
 TEST(DoubtfulIntervals, ADoubtSoonAfterANewMapIsAnotherOne) {
   edgevo::Run run = run_of(120);
   doubt(&run, 10, 12, kA);
-  run.frames[15].evidence.unit = UnitComparison{};
+  run.frames[15].evidence.unit = RelativeScale{};
   doubt(&run, 17, 19, kB);
-  run.frames[30].evidence.unit = UnitComparison{};
+  run.frames[30].evidence.unit = RelativeScale{};
   const std::string unlinked = "; nothing links the unit of length after it to that before";
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides" + unlinked,
                                       "frames 117 to 119: steps unlike those before" + unlinked))
@@ -135,8 +135,8 @@ TEST(DoubtfulIntervals, ADoubtSoonAfterANewMapIsAnotherOne) {
 TEST(DoubtfulIntervals, AComparisonLongAfterwardsSaysNothingOfIt) {
   edgevo::Run run = run_of(120);
   doubt(&run, 10, 12, kA);
-  run.frames[15].evidence.unit = UnitComparison{};
-  run.frames[100].evidence.unit = UnitComparison{1.01, 0.03};
+  run.frames[15].evidence.unit = RelativeScale{};
+  run.frames[100].evidence.unit = RelativeScale{1.01, 0.03};
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides; nothing links "
                                       "the unit of length after it to that before"));
 }

@@ -155,7 +155,7 @@ TEST(CameraHeight, BackwardsAPointIsMeasuredWhereItWasPassed) {
 
 // What the heights of an interval have in common is not averaged out by their number: the ground rises and
 // falls by 5 % from one interval of 8 metres to the next.
-TEST(CameraHeight, TheStandardDeviationIsThatOfStretchesNotOfPoints) {
+TEST(CameraHeight, TheStandardDeviationIsThatOfIntervalsNotOfPoints) {
   std::vector<HeightSample> even, wavy;
   for (int i = 0; i < 2000; ++i) {
     const double distance = 0.02 * i, wave = 0.05 * std::sin(distance * 2 * M_PI / 16);

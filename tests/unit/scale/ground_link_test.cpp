@@ -37,7 +37,7 @@ test::MadeRun drive_with_a_gap(double ground_share = 0.6) {
       keyframes.end());
   for (KeyframeRecord& k : keyframes)
     if (k.frame_index >= kSeen) shorten(&k.T_world_cam), multiply_depths(kLengths, &k);
-  made.run.frames[kCompared].evidence.unit = UnitComparison();
+  made.run.frames[kCompared].evidence.unit = RelativeScale();
   return made;
 }
 
@@ -78,12 +78,12 @@ TEST(GroundLink, WithoutGroundEachPartKeepsItsUnit) {
   const SE3 before = *made.run.frames[250].T_world_cam;
   link_units_by_ground(ScaleParams(), &made.run);
   EXPECT_LT((made.run.frames[250].T_world_cam->translation() - before.translation()).norm(), 1e-9);
-  EXPECT_TRUE(doubtful_intervals(made.run)[0].is_unit_unlinked());
+  EXPECT_TRUE(doubtful_intervals(made.run)[0].is_scale_unresolved());
 }
 
 TEST(GroundLink, AMoreCertainLinkByFeaturesIsNotTouched) {
   test::MadeRun made = drive_with_a_gap();
-  made.run.frames[kCompared].evidence.unit = UnitComparison{1.0, 0.001};
+  made.run.frames[kCompared].evidence.unit = RelativeScale{1.0, 0.001};
   const SE3 before = *made.run.frames[250].T_world_cam;
   link_units_by_ground(ScaleParams(), &made.run);
   EXPECT_EQ(made.run.frames[250].T_world_cam->translation(), before.translation());
@@ -93,7 +93,7 @@ TEST(GroundLink, AMoreCertainLinkByFeaturesIsNotTouched) {
 // Two views of a drive link units that differ by a tenth at a stated 3 %.
 TEST(GroundLink, ALessCertainOneIsReplaced) {
   test::MadeRun made = drive_with_a_gap();
-  made.run.frames[kCompared].evidence.unit = UnitComparison{1.0, 0.1};
+  made.run.frames[kCompared].evidence.unit = RelativeScale{1.0, 0.1};
   link_units_by_ground(ScaleParams(), &made.run);
   EXPECT_NEAR(length_between(made.run, 200, 280) / length_between(made.run, 20, 100), 1, 0.05);
   EXPECT_TRUE(made.run.frames[kCompared].evidence.unit->by_ground);

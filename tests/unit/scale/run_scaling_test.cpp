@@ -77,7 +77,7 @@ class ScalingOfADrive : public ::testing::Test {
     for (int k = 0; k < next_ / 2; ++k) {
       KeyframeMove m;
       m.id = k;
-      m.length_ratio = unit_at(drive_, 2 * k) / unit_at(drive_, next_);
+      m.scale_ratio = unit_at(drive_, 2 * k) / unit_at(drive_, next_);
       moved.keyframes.push_back(m);
     }
     scaling_->apply(moved);
@@ -116,7 +116,7 @@ TEST_F(ScalingOfADrive, AMoveOfAnotherSegmentChangesNothing) {
   moved.segment = 1;
   moved.keyframes.resize(1);
   moved.keyframes[0].id = kMovedAfter / 2 - kWindow - 1;
-  moved.keyframes[0].length_ratio = 5;
+  moved.keyframes[0].scale_ratio = 5;
   scaling_->apply(moved);
   drive_to(kMovedAfter + 1);
   const std::vector<double> factors = live_factors();

@@ -214,7 +214,7 @@ TEST(UpDirection, IsFoundFromVerticalLinesAlone) {
   EXPECT_LT(degrees_between(up->up, true_up(street)), 1);
 }
 
-TEST(UpDirection, ACameraThatTurnsOnTheSpotHasNone) {
+TEST(UpDirection, ACameraInPureRotationHasNone) {
   Street street{"0,20,0"};
   street.step = 0;
   edgevo::Run run = drive_through(street);

@@ -26,7 +26,7 @@ TEST(SelfCalibration, TheNewestKeyframeKeepsItsPose) {
   ASSERT_TRUE(out.moved);
   const KeyframeMove& newest = out.moved->keyframes.back();
   EXPECT_LT((out.moved->T_cam_map(newest) * out.drive.back().T_cam_world.inverse()).log().norm(), 1e-12);
-  EXPECT_NEAR(newest.length_ratio, 1.0, 0.05);
+  EXPECT_NEAR(newest.scale_ratio, 1.0, 0.05);
   ASSERT_EQ(out.moved->keyframes.size(), out.drive.size());
   for (size_t i = 0; i < out.drive.size(); ++i) {
     EXPECT_EQ(out.moved->keyframes[i].id, out.drive[i].id);
@@ -82,7 +82,7 @@ TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
   for (const size_t k : {kKnown - 1, kKnown + 4})
     for (size_t i = 0; i < now[k].points.size(); ++i)
       EXPECT_NEAR(
-          moved->keyframes[k].points[i].idepth * moved->keyframes[k].length_ratio / now[k].points[i].idepth,
+          moved->keyframes[k].points[i].idepth * moved->keyframes[k].scale_ratio / now[k].points[i].idepth,
           1.0, 0.25)
           << k;
 }

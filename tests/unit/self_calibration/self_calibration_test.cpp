@@ -272,7 +272,7 @@ TEST(SelfCalibration, AFocalLengthIsTriedInAShorterSegment) {
   EXPECT_FALSE(calibration.is_focal_length_due(shorter)) << "it was tried";
 }
 
-TEST(SelfCalibration, KeepsTheFocalLengthOfTheFileUnlessAskedTo) {
+TEST(SelfCalibration, KeepsTheFocalLengthOfTheFileUnlessRequested) {
   const std::vector<Keyframe> drive = make_drive({});
   const Map map = map_of(drive, 20);
   for (const char* refine : {"none", "k1", "readout"}) {

@@ -28,9 +28,9 @@ OverlayOptions part(const std::string& kind, double share) {
   return options;
 }
 
-class OwnParts : public ::testing::TestWithParam<std::string> {};
+class EgoMaskMonitor : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(OwnParts, CoverTheirShareAndNothingElse) {
+TEST_P(EgoMaskMonitor, CoverTheirShareAndNothingElse) {
   const Overlay overlay(part(GetParam(), 0.2), kOverlayWidth, kOverlayHeight);
   EXPECT_NEAR(overlay_black_share(overlay.own_part_mask()), 0.2, 0.04);
   const OverlaidImage out = overlay.apply(overlay_image(), 5, 0.5, std::nullopt);
@@ -44,7 +44,7 @@ TEST_P(OwnParts, CoverTheirShareAndNothingElse) {
       << "only pixels that the outline covers by less than half";
 }
 
-TEST_P(OwnParts, GiveTheSameBytesAgainAndOtherNoiseInAnotherFrame) {
+TEST_P(EgoMaskMonitor, GiveTheSameBytesAgainAndOtherNoiseInAnotherFrame) {
   const Overlay a(part(GetParam(), 0.1), kOverlayWidth, kOverlayHeight),
       b(part(GetParam(), 0.1), kOverlayWidth, kOverlayHeight);
   const auto bytes = [](const Overlay& o, int index) {
@@ -54,7 +54,7 @@ TEST_P(OwnParts, GiveTheSameBytesAgainAndOtherNoiseInAnotherFrame) {
   EXPECT_NE(bytes(a, 3), bytes(a, 4));
 }
 
-INSTANTIATE_TEST_SUITE_P(Overlay, OwnParts, ::testing::ValuesIn(own_part_kinds()));
+INSTANTIATE_TEST_SUITE_P(Overlay, EgoMaskMonitor, ::testing::ValuesIn(own_part_kinds()));
 
 TEST(Overlay, AVehicleAheadIsWidestWhileItIsFollowed) {
   OverlayOptions options;

@@ -60,8 +60,9 @@ TEST_F(FrameTracker, FindsAFrameAtConstantVelocity) {
 TEST_F(FrameTracker, AHeldPoseStaysAndIsMeasured) {
   const SE3 near = SE3::exp(twist(0.004, 0, 0, 0, 0, 0)) * truth;
   const auto pyramid = scene.pyramid(truth.inverse());
-  const Track held = hold_pose({*pyramid, reference, motion, keyframes, params, {}, false, &random}, near);
-  EXPECT_TRUE(held.is_held);
+  const Track held =
+      zero_velocity_update({*pyramid, reference, motion, keyframes, params, {}, false, &random}, near);
+  EXPECT_TRUE(held.is_zero_velocity);
   EXPECT_EQ(held.result.T_cur_ref.translation(), near.translation());
   EXPECT_EQ(support(held), PoseSupport::kGood);
   EXPECT_TRUE(std::isfinite(held.result.sigmas.sum()));

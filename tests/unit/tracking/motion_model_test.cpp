@@ -125,12 +125,12 @@ TEST(MotionModel, ACameraThatWaitedMayGoOnAsItCame) {
   EXPECT_NEAR(m.largest_step(1), before, 1e-9);
 }
 
-TEST(MotionModel, TheUsualStepIsThatBeforeAStandstill) {
-  EXPECT_TRUE(after_steps(5).usual_step().isZero()) << "not known yet";
+TEST(MotionModel, TheTypicalStepIsThatBeforeAStandstill) {
+  EXPECT_TRUE(after_steps(5).typical_step().isZero()) << "not known yet";
   MotionModel m = after_steps(30);
   for (int i = 31; i <= 60; ++i)
     m.begin_frame(seconds(0.1 * i)), m.follow(SE3::exp(1e-3 * kFrameMotion.log()) * m.T_last_ref());
-  EXPECT_LT((m.usual_step() - kFrameMotion.translation()).norm(), 1e-9);
+  EXPECT_LT((m.typical_step() - kFrameMotion.translation()).norm(), 1e-9);
 }
 
 TEST(MotionModel, ANewMapHasAnotherUnit) {

@@ -26,12 +26,12 @@ std::vector<EvaluatedMotion> made_motions(uint64_t seed, int count) {
   return motions;
 }
 
-TEST(LogisticFit, FindsTheWeightsAndGivesNoneToADoubtThatSpeaksForTheMotion) {
+TEST(LogisticFit, FindsTheWeightsAndGivesNoneToATestThatFavoursTheMotion) {
   const LogisticSum fit = fit_logistic(made_motions(1, 20000), 1);
   EXPECT_NEAR(fit.weights[0], 2, 0.2);
   EXPECT_NEAR(fit.weights[1], 1, 0.2);
   EXPECT_EQ(fit.weights[2], 0);
-  for (size_t k = 3; k < kDoubts; ++k) EXPECT_LT(fit.weights[k], 0.12);
+  for (size_t k = 3; k < kConsistencyTests; ++k) EXPECT_LT(fit.weights[k], 0.12);
 }
 
 TEST(LogisticFit, IsNotBentByWrongMotionsThatNoDoubtShows) {

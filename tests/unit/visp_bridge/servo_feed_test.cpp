@@ -74,7 +74,7 @@ TEST(ServoFeed, StaleAndLostAreNotUsable) {
   EXPECT_EQ(pose.reason, "LOST: too dark");
 }
 
-TEST(ServoFeed, ADoubtfulPoseIsNotUsableIfTheLoopAsksForTrust) {
+TEST(ServoFeed, ADoubtfulPoseIsNotUsableIfTheLoopWantsConfidence) {
   ServoFeedOptions cautious;
   cautious.min_p_right = kDoubtfulBelow;
   ServoFeed feed(cautious), plain;

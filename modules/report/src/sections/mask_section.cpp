@@ -16,7 +16,7 @@ constexpr int kMaxWidth = 900;  // pixels of the picture
 }  // namespace
 
 std::string mask_section(const RunInfo& info) {
-  const GrayImage& mask = info.own_mask;
+  const GrayImage& mask = info.ego_mask;
   if (mask.empty()) return {};
   const cv::Mat full(mask.height, mask.width, CV_8U, const_cast<uint8_t*>(mask.pixels.data()));
   const double share = 1 - double(cv::countNonZero(full)) / double(full.total());

@@ -21,7 +21,7 @@ const std::vector<Exporter>& exporters() {
       {"covariances.csv", "covariance of each pose relative to its keyframe", Kind::kText,
        export_covariances},
       {"mask.png", "what is fixed to the camera, black, if there is such a part", Kind::kText,
-       export_own_mask, has_own_mask},
+       export_ego_mask, has_ego_mask},
       {"camera.yaml", "the camera, for --camera of the next run, if it was found from the motion",
        Kind::kText, export_found_camera, has_found_camera},
       {"scale.csv", "the metric scale over time, if it was measured", Kind::kText, export_scale, has_scale},

@@ -17,8 +17,8 @@ void export_frames(ExportContext* context, const std::string& path);
 void export_covariances(ExportContext* context, const std::string& path);
 void export_scale(ExportContext* context, const std::string& path);
 bool has_scale(const ExportContext& context);
-void export_own_mask(ExportContext* context, const std::string& path);
-bool has_own_mask(const ExportContext& context);
+void export_ego_mask(ExportContext* context, const std::string& path);
+bool has_ego_mask(const ExportContext& context);
 void export_found_camera(ExportContext* context, const std::string& path);
 bool has_found_camera(const ExportContext& context);
 

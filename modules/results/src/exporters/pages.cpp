@@ -30,15 +30,15 @@ void export_report(ExportContext* context, const std::string& path) {
                                 context->map, map_vertices(context->run, points), doubtful}));
 }
 
-void export_own_mask(ExportContext* context, const std::string& path) {
-  const GrayImage& mask = context->info->own_mask;
+void export_ego_mask(ExportContext* context, const std::string& path) {
+  const GrayImage& mask = context->info->ego_mask;
   const cv::Mat view(mask.height, mask.width, CV_8U, const_cast<uint8_t*>(mask.pixels.data()));
   std::vector<uint8_t> bytes;
   cv::imencode(".png", view, bytes);
   write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-bool has_own_mask(const ExportContext& context) { return context.info && !context.info->own_mask.empty(); }
+bool has_ego_mask(const ExportContext& context) { return context.info && !context.info->ego_mask.empty(); }
 
 void export_found_camera(ExportContext* context, const std::string& path) {
   write_file(path, context->info->camera_file);

@@ -39,7 +39,7 @@ void write_realtime(const Run& run, YamlWriter* y) {
   y->integer("handed_over", r.delivered);
   y->integer("late", r.late);
   y->integer("dropped", r.dropped);
-  y->integer("left_out_of_mapping", r.left_out_of_mapping);
+  y->integer("left_out_of_mapping", r.skipped_by_mapping);
   y->integer("shed_lines", r.shed.lines);
   y->integer("shed_depths", r.shed.depths);
   y->integer("shed_points", r.shed.points);

@@ -14,7 +14,7 @@
 // appear certain. Residuals do not show the error of the reference itself, whose cloud was placed by an
 // alignment of the same kind. kReferenceShare, one factor for all scenes, accounts for it.
 //
-// What several edges share is not in it: smooth_error.h.
+// What several edges share is not in it: correlated_residual.h.
 //
 // It is the covariance of the pose relative to the reference keyframe, in the local unit of length of the
 // map. The scale of a monocular map drifts along the path: unit_covariance(), which a reported pose includes.

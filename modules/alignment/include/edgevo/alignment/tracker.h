@@ -3,8 +3,8 @@
 // Camera tracking: the pose of one frame against a reference cloud, and how well it is measured.
 #include <vector>
 
+#include "edgevo/alignment/correlated_residual.h"
 #include "edgevo/alignment/pose_choice.h"
-#include "edgevo/alignment/smooth_error.h"
 
 namespace edgevo {
 
@@ -12,10 +12,10 @@ namespace edgevo {
 struct TrackResult : PoseCandidate {
   /// Covariance of xi in T_cur_ref <- exp(xi) T_cur_ref (pose_covariance.h); zero if the pose is not finite.
   Matrix6d covariance = Matrix6d::Zero();
-  /// The error that neighbouring edges share (smooth_error.h), not in `covariance`.
-  SmoothError smooth;
+  /// The error that neighbouring edges share (correlated_residual.h), not in `covariance`.
+  CorrelatedResidual smooth;
   /// Its variance, px^2: that of this frame alone, until a mean of several is set.
-  double smooth_px2 = 0;
+  double correlated_px2 = 0;
   /// Principal directions of the covariance, one per column: unit tangents [v, w], translation in median
   /// depths of the cloud.
   Matrix6d directions = Matrix6d::Identity();

@@ -26,7 +26,7 @@ struct TableRow {
   /// Cells, one for each column.
   std::vector<TableCell> cells;
   /// Whether the figures are ours, not those of the paper.
-  bool is_own = false;
+  bool is_ego = false;
 };
 
 /// A table with title, header and remarks.

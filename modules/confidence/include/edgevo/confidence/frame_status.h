@@ -8,8 +8,8 @@
 #include <string>
 
 #include "edgevo/alignment/pose_choice.h"
+#include "edgevo/confidence/motion_confidence.h"
 #include "edgevo/confidence/status_params.h"
-#include "edgevo/confidence/trust.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/reason.h"
 #include "edgevo/core/records.h"
@@ -46,15 +46,15 @@ struct FrameStatus {
 /// direction has a standard deviation above `weak_sigma`.
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
 /// The same for a pose that is held while the camera stands: known from before, it needs no points in view.
-FrameStatus status_of_held_pose(const FrameEvidence& evidence, StatusParams params);
+FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams params);
 /// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
-/// (core/doubtful_frame.h), or after a giant step, with the reason for the doubt after that of the image.
+/// (core/doubtful_frame.h), or after a step outlier, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.
-FrameStatus frame_status(const FrameStatus& by_image, const FrameTrust& trust);
+FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust);
 /// Status of a frame whose pose is refused, as after a step beyond MotionModel::largest_step(): LOST for that
 /// reason, if there is one, unless the image has refused it already.
 FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason);
-/// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a giant step,
+/// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a step outlier,
 /// `times` the usual one (NaN: not known).
 FrameStatus status_after_step(const FrameStatus& status, double times);
 /// Status of a frame whose pose the two-view reconstruction has given: TRACKING, or DEGRADED if the map

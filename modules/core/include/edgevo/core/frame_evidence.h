@@ -56,7 +56,7 @@ struct CornerEvidence {
 };
 
 /// The map's unit of length after a doubt, compared with that before it by features that views of both show.
-struct UnitComparison {
+struct RelativeScale {
   /// Lengths of the map before over those after; NaN: nothing links the two, their ratio is unknown.
   double ratio = std::numeric_limits<double>::quiet_NaN();
   /// Standard deviation of the ratio's logarithm; NaN with an unknown ratio.
@@ -81,8 +81,8 @@ struct FrameEvidence {
 
   /// Whether the alignment ended at a pose that is not finite.
   bool diverged = false;
-  /// Whether the camera is known to stand (segmentation/standstill.h): most edges near enough to show a usual
-  /// step keep their place, and the pose keeps its own.
+  /// Whether the camera is known to stand (segmentation/stationary_detector.h): most edges near enough to
+  /// show a typical step keep their place, and the pose keeps its own.
   bool stands = false;
   /// Number of map points in view; nothing if the frame was not tracked.
   std::optional<int> visible_points;
@@ -118,7 +118,7 @@ struct FrameEvidence {
 
   /// The unit of length, at the first frame that is sure again after a doubt, as known then or later; nothing
   /// elsewhere, and where the map is still seen from a keyframe of before.
-  std::optional<UnitComparison> unit;
+  std::optional<RelativeScale> unit;
 
   /// What corners say about the pose; nothing without a pose, and with health.corners off.
   std::optional<CornerEvidence> corners;

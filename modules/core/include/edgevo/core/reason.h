@@ -46,7 +46,7 @@ enum class ReasonKind : uint8_t {
   /// A map is being made.
   kMapInMaking,
   /// Part of the view may be fixed to the camera: the map waits.
-  kMayBeOwnPart,
+  kMayBeEgoPart,
 
   // ---- the image does not support the pose ----
   /// The pose is not finite.
@@ -60,7 +60,7 @@ enum class ReasonKind : uint8_t {
   /// Length of the step over the usual one.
   kStep,
 
-  // ---- the motion is doubted (confidence/trust.h) ----
+  // ---- the motion is doubted (confidence/motion_confidence.h) ----
   /// Length ratio over so many frames, by the corners; the frames.
   kScaleByCorners,
   /// Difference of the rotation over ten frames to that of the corners, degrees.

@@ -44,8 +44,8 @@ struct FrameRecord {
   int reference_keyframe = -1;
   /// Measurements that the tracking state rests on.
   FrameEvidence evidence;
-  /// Probability, 0 to 1, that the motion of the camera around this frame is right (confidence/trust.h); NaN:
-  /// not known, as while there is no map.
+  /// Probability, 0 to 1, that the motion of the camera around this frame is right
+  /// (confidence/motion_confidence.h); NaN: not known, as while there is no map.
   double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Name and CPU time, milliseconds, of each stage that ran.
   std::vector<std::pair<std::string, double>> stage_ms;
@@ -121,8 +121,8 @@ struct KeyframeRecord {
   std::vector<EdgePoint> points;
   /// Lines that the keyframe hosts; empty with `--edge-map off`, and of a doubtful keyframe.
   std::vector<EdgeLine> lines;
-  /// Whether the keyframe was made in doubt and never confirmed (confidence/health_watch.h): its pose and
-  /// points are not to be trusted.
+  /// Whether the keyframe was made in doubt and never confirmed (confidence/integrity_monitor.h): its pose
+  /// and points are not to be trusted.
   bool is_doubtful = false;
 };
 
@@ -262,7 +262,7 @@ struct RealtimeRecord {
   /// a row, without a pose.
   int dropped = 0;
   /// Frames with a pose that did not refine depths because the mapping was behind.
-  int left_out_of_mapping = 0;
+  int skipped_by_mapping = 0;
   /// What was skipped.
   ShedWork shed;
   /// Delivered frames per second, from when the first was due until the last had its pose.

@@ -12,7 +12,7 @@ enum class Stage {
   kEdges,
   kAlignment,
   kCorners,
-  kWitness,
+  kFeatureTracking,
   kBootstrap,
   kDepthFilter,
   kAssociation,

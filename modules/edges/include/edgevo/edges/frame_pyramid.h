@@ -52,9 +52,9 @@ struct FramePyramid {
   std::shared_ptr<const Plane<uint8_t>> border_mask;
   /// Mask of `source`, 255 on parts that are fixed to the camera, given or found, so that no edges are
   /// extracted; null if there are none.
-  std::shared_ptr<const Plane<uint8_t>> own_mask;
+  std::shared_ptr<const Plane<uint8_t>> ego_mask;
   /// The same in the finest level; empty if there are none.
-  Plane<uint8_t> own_area;
+  Plane<uint8_t> ego_area;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.
@@ -63,11 +63,11 @@ struct FramePyramid {
   const PyramidLevel& finest() const { return levels.front(); }
   /// Share of the pixels of `source` covered by `border_mask`, 0 to 1.
   double masked_share() const;
-  /// Share of the pixels of `source` covered by `own_mask`, 0 to 1.
-  double own_share() const;
+  /// Share of the pixels of `source` covered by `ego_mask`, 0 to 1.
+  double ego_share() const;
   /// Whether a pixel of the finest level, inside the image, lies on a part that is fixed to the camera.
-  bool is_own(double x, double y) const {
-    return !own_area.empty() && own_area.at(int(x + 0.5), int(y + 0.5)) != 0;
+  bool is_ego(double x, double y) const {
+    return !ego_area.empty() && ego_area.at(int(x + 0.5), int(y + 0.5)) != 0;
   }
 };
 

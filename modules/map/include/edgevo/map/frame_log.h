@@ -29,18 +29,18 @@ class FrameLog {
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.
   void place(int segment, const Reference& reference, const SE3& T_cam_ref);
   /// Announces the newest frame; again if its record has changed since.
-  void announce();
+  void publish();
 
   /// Anchors an earlier frame, or the newest one, with a record that replaces the present one; announces an
   /// earlier one.
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);
-  /// RunBuilder::times_usual_step() of the newest frame with the pose `T_cam_map`.
-  double times_usual_step(int frame_index, int segment, const SE3& T_cam_map);
+  /// RunBuilder::step_ratio() of the newest frame with the pose `T_cam_map`.
+  double step_ratio(int frame_index, int segment, const SE3& T_cam_map);
   /// Announces the frames of a segment again at which nothing linked the unit of length to that before: now
   /// it is.
-  void link_units(int segment, const UnitComparison& unit);
+  void constrain_scale(int segment, const RelativeScale& unit);
   /// Announces the pose of a segment's map in the world.
   void begin_segment(const SegmentPlaced& placed);
 

@@ -97,7 +97,7 @@ struct KeyframeMove {
   /// of the newest keyframe itself is the identity: nothing jumps for tracking or a servo loop.
   SE3 T_cam_newest;
   /// New length over old length near this keyframe.
-  double length_ratio = 1;
+  double scale_ratio = 1;
   /// New pixel and depth of a hosted point.
   struct Point {
     /// Pixel in the host image with the new correction.
@@ -106,7 +106,7 @@ struct KeyframeMove {
     double idepth = 0;
   };
   /// All hosted points, in the order of the keyframe's points; empty: pixels stay, and depths change by
-  /// `length_ratio`.
+  /// `scale_ratio`.
   std::vector<Point> points;
   /// Motion of the image; corrected pixels depend on it.
   ImageMotion motion;

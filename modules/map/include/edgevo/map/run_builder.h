@@ -53,7 +53,7 @@ class RunBuilder {
   std::vector<TimedPose> last_poses(int segment, int last_frame, size_t at_most) const;
   /// The last `count` live poses in a row of a segment, up to `last_frame`, none of them doubtful
   /// (core/doubtful_frame.h), oldest first; empty if there is no such row.
-  std::vector<TimedPose> last_sure_poses(int segment, int last_frame, size_t count) const;
+  std::vector<TimedPose> last_trusted_poses(int segment, int last_frame, size_t count) const;
   /// Pose in the segment's map of the last frame before `frame_index` that has one; nothing if that frame is
   /// of another segment.
   std::optional<SE3> pose_before(int frame_index, int segment) const;
@@ -61,7 +61,7 @@ class RunBuilder {
   /// 50 steps before, between live poses in the world, of whatever segment, in which the camera is not known
   /// to stand; over a gap a step is the mean of its frames. NaN unless ten are known of the last 1000 frames;
   /// infinite or NaN after steps of 0. Cost: a look-up for each frame back to the fiftieth of them.
-  double times_usual_step(int frame_index, const SE3& T_world_cam) const;
+  double step_ratio(int frame_index, const SE3& T_world_cam) const;
   /// From the map of a segment that has begun to the world.
   const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }
   /// Number of frames so far, forgotten ones included.
@@ -104,9 +104,9 @@ class RunBuilder {
   void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);
   // What a move of the map has changed near a keyframe.
   struct Change {
-    int move = 0;             // its number
-    double length_ratio = 1;  // new over old length
-    double image_ratio = 1;   // new over old distance from the centre of the image, of any point
+    int move = 0;            // its number
+    double scale_ratio = 1;  // new over old length
+    double image_ratio = 1;  // new over old distance from the centre of the image, of any point
   };
   Change changes_since(int keyframe_id, int moves) const;
   void anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe);

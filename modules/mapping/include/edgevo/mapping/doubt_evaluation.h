@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "edgevo/confidence/health_watch.h"
+#include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/mapping/mapper.h"
@@ -18,7 +18,7 @@ struct DoubtEvaluation {
   /// What mapping makes of it.
   DoubtEnded ended;
   /// The unit of length before and after; nothing if there was nothing to compare.
-  std::optional<UnitComparison> unit;
+  std::optional<RelativeScale> unit;
 };
 
 /// Standard deviation of the logarithm of a ratio of units from which on another comparison is to be made:
@@ -30,11 +30,11 @@ constexpr double kUnitKnown = 0.03;
 /// was joined to the one before by its first two views: it is compared again, since its depths are better
 /// known, and takes the unit of what is no less certain than the comparison before (`known_to`, of the
 /// logarithm). `scale_of`: world over map of a segment. Cost: some 0.2 s for each view of before.
-DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::vector<SureView>& before,
-                               const SureView& now, double known_to,
+DoubtEvaluation evaluate_doubt(const Pinhole& pinhole, const std::vector<TrustedReference>& before,
+                               const TrustedReference& now, double known_to,
                                const std::function<double(int)>& scale_of);
 
 /// The comparison in words, for the log.
-std::string in_words(const UnitComparison& unit);
+std::string in_words(const RelativeScale& unit);
 
 }  // namespace edgevo

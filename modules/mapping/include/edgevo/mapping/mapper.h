@@ -32,12 +32,12 @@ class RebuiltImages;
 /// What was found about a doubt when it ended.
 struct DoubtEnded {
   /// Newest keyframe of the window that was sure.
-  int last_sure_keyframe = -1;
+  int last_trusted_keyframe = -1;
   /// Whether the map after the doubt agrees with that before, or is known to have another unit; if not, its
   /// keyframes stay doubtful.
   bool is_evaluated = false;
   /// Length before the doubt over the same length after it, in the unit of each; 1: the unit has held.
-  double length_ratio = 1;
+  double scale_ratio = 1;
 };
 
 /// What corners that are searched next to the frames make of a pose.
@@ -79,7 +79,7 @@ struct TrackedFrame {
   MovingAreas moving;
   /// Keyframe of the window to track against from now on; -1: the present one.
   int return_to = -1;
-  /// Whether the motion is in doubt (health_watch.h): what is mapped is provisional.
+  /// Whether the motion is in doubt (integrity_monitor.h): what is mapped is provisional.
   bool is_in_doubt = false;
   /// What corners show of the focal length up to this frame.
   std::optional<FocalError> focal_length;

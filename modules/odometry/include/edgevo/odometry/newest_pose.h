@@ -26,8 +26,8 @@ struct NewestPose {
   TrackingState state = TrackingState::kBootstrapping;
   /// Why the state is not TRACKING; empty if it is.
   std::string note;
-  /// Probability that the motion around the frame is right (confidence/trust.h); below kDoubtfulBelow
-  /// (core/doubtful_frame.h) the pose is not to be trusted. NaN: unknown.
+  /// Probability that the motion around the frame is right (confidence/motion_confidence.h); below
+  /// kDoubtfulBelow (core/doubtful_frame.h) the pose is not to be trusted. NaN: unknown.
   double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Segment of the map; poses of two segments have no reliable common frame. -1: none.
   int segment = -1;

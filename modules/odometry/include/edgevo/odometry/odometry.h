@@ -26,6 +26,8 @@ class Rectification;  // core/rectification.h
 enum class Shedding;  // mapping/shedding.h
 struct FrameView;     // tracking/frame_view.h
 struct MapMoved;      // map/map_event.h
+template <class T>
+class Plane;  // edges/plane.h
 
 /// How a run works; what it estimates is in OdometryParams.
 struct OdometryOptions {
@@ -93,6 +95,9 @@ class Odometry {
   /// View of the map from the newest frame. Call in the thread of process(). Cost: one projection per point,
   /// about 0.1 ms.
   FrameView frame_view() const;
+  /// Mask of what is fixed to the camera in the newest raw image, 255 on it; null if there is nothing. Call
+  /// in the thread of process(). Cost: none.
+  std::shared_ptr<const Plane<uint8_t>> ego_mask() const;
   /// The result of the last process() call, with the map that it used. Call in the thread of process().
   const NewestPose& newest_pose() const;
 

@@ -25,7 +25,7 @@ struct RecoveryParams {
 
 /// Witnesses of wrong poses.
 struct HealthParams {
-  /// Follow corners next to the edges (features/corner_witness.h).
+  /// Follow corners next to the edges (features/feature_tracker.h).
   bool corners = true;
 
   /// Names, ranges and texts of the fields (core/params.h).

@@ -34,7 +34,7 @@ struct RunInfo {
   std::string camera_file;
   /// What was fixed to the camera at the end of the run: 0 there, 255 elsewhere, size of the raw images;
   /// empty: nothing.
-  GrayImage own_mask;
+  GrayImage ego_mask;
   /// Further remarks, as name and text.
   std::vector<std::pair<std::string, std::string>> notes;
 };

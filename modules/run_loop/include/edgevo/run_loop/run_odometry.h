@@ -46,6 +46,8 @@ struct ProcessedFrame {
   const FrameRecord& record;
   /// Makes the view of the map from this frame (Odometry::frame_view()).
   const std::function<FrameView()>& view;
+  /// Mask of what is fixed to the camera (Odometry::ego_mask()).
+  std::shared_ptr<const Plane<uint8_t>> ego_mask;
 };
 
 /// Options of run_odometry().

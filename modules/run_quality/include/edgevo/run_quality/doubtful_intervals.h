@@ -21,11 +21,11 @@ struct DoubtfulInterval {
   /// count as one; the first of them is given.
   std::string reason;
   /// The last comparison of the units of length before and after the interval; nothing if there was none.
-  std::optional<UnitComparison> unit;
+  std::optional<RelativeScale> unit;
   /// Position in Run::frames of the frame of that comparison; -1: none.
   int compared_at = -1;
   /// Whether the unit after the interval may be another one than before: nothing links them.
-  bool is_unit_unlinked() const { return unit && !unit->is_linked(); }
+  bool is_scale_unresolved() const { return unit && !unit->is_linked(); }
 };
 
 /// The doubtful intervals of the run, in time order. Intervals that are at most ten frames apart are one: it

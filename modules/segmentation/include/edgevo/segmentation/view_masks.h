@@ -27,7 +27,7 @@ class ViewMasks final : public ViewObserver {
                  const ImageCorrection& correction) override;
 
   /// Whether a part of the newest view may be fixed to the camera, which the next images will show.
-  bool may_show_own_part() const;
+  bool may_show_ego_part() const;
   /// What stands still in the newest view, before a camera that seems to stand; else empty.
   StillCells still_cells() const;
 

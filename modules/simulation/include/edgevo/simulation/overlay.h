@@ -70,7 +70,7 @@ class Overlay {
   /// of the frame among those of a standing camera, from 0; nullopt while it moves.
   OverlaidImage apply(const GrayImage& image, int index, double seconds, std::optional<int> standing) const;
   /// Mask of the own part, 255 where the scene is seen, 0 on the part; empty if there is none.
-  const std::vector<uint8_t>& own_part_mask() const { return own_mask_; }
+  const std::vector<uint8_t>& own_part_mask() const { return ego_mask_; }
   /// The options.
   const OverlayOptions& options() const { return options_; }
 
@@ -91,7 +91,7 @@ class Overlay {
   OverlayOptions options_;
   int width_, height_;
   Texture own_, lorry_, bus_;
-  std::vector<uint8_t> own_mask_;
+  std::vector<uint8_t> ego_mask_;
 };
 
 /// Ground truth in the TUM format of a sequence in which the camera stands for `frames` frames, `step_s`

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "edgevo/confidence/health_watch.h"
+#include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
@@ -18,7 +18,8 @@
 namespace edgevo {
 
 /// What links a new map to the one before (features/view_link.h); nothing without a view `before`.
-inline std::optional<ViewLink> find_link(const Pinhole& pinhole, const std::optional<SureView>& before,
+inline std::optional<ViewLink> find_link(const Pinhole& pinhole,
+                                         const std::optional<TrustedReference>& before,
                                          const Reference& after) {
   if (!before) return std::nullopt;
   return link_views(pinhole, before->reference->cloud, after.cloud);
@@ -62,12 +63,14 @@ class Bootstrapper {
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
   /// already, else it is found now.
-  NewSegment begin_segment(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
-                           std::optional<double> scale, const SegmentBeginning* known = nullptr);
+  NewSegment begin_segment(int segment, const BootstrapResult& views,
+                           const std::optional<TrustedReference>& before, std::optional<double> scale,
+                           const SegmentBeginning* known = nullptr);
 
  private:
-  SegmentPlaced place(int segment, const BootstrapResult& views, const std::optional<SureView>& before,
-                      const std::optional<ViewLink>& link, std::optional<double> scale) const;
+  SegmentPlaced place(int segment, const BootstrapResult& views,
+                      const std::optional<TrustedReference>& before, const std::optional<ViewLink>& link,
+                      std::optional<double> scale) const;
 
   Pinhole pinhole_;
   Bootstrap bootstrap_;

@@ -12,9 +12,9 @@
 #include "edgevo/core/worker.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
-#include "edgevo/segmentation/own_parts.h"
+#include "edgevo/segmentation/ego_mask_monitor.h"
 #include "edgevo/tracking/bootstrapper.h"
-#include "edgevo/tracking/late_frames.h"
+#include "edgevo/tracking/frame_buffer.h"
 #include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
@@ -40,9 +40,11 @@ class ConcurrentBootstrap {
   void reset();
   /// Gives the next frame to the search. Returns why there is no map yet, as known now: a search that is
   /// behind tries only some frames, and one that is far behind loses the oldest. Begins to make a map
-  /// once there are two views (MapLink::make_map), unless `own_parts` delays it, and looks for what links it
-  /// to `before`, the last sure view of the map before; until take_map() the caller must not use the MapLink.
-  BootstrapStatus look(const ArrivedFrame& now, OwnParts& own_parts, const std::optional<SureView>& before);
+  /// once there are two views (MapLink::make_map), unless `ego_mask_monitor` delays it, and looks for what
+  /// links it to `before`, the last sure view of the map before; until take_map() the caller must not use the
+  /// MapLink.
+  BootstrapStatus look(const ArrivedFrame& now, EgoMaskMonitor& own_parts,
+                       const std::optional<TrustedReference>& before);
   /// Keeps a frame that arrives while frames_wait().
   void keep(const ArrivedFrame& now) { late_.add(now); }
 
@@ -56,11 +58,11 @@ class ConcurrentBootstrap {
   /// Whether there is a map for frames that arrived before it was there.
   bool catches_up() const { return catches_up_ && !late_.empty(); }
   /// Frames that are followed in the time of one.
-  static constexpr int kLateAtOnce = 3;
+  static constexpr int kReplayedAtOnce = 3;
   /// The oldest of them, once.
-  LateFrame take_late() { return late_.take(); }
+  BufferedFrame take_buffered() { return late_.take(); }
   /// They get no poses.
-  void give_up_late() { late_.clear(); }
+  void drop_buffered() { late_.clear(); }
   /// Whether a frame that arrives now must wait.
   bool frames_wait() const { return is_making() || catches_up(); }
 
@@ -82,14 +84,14 @@ class ConcurrentBootstrap {
   BootstrapStatus poll();
   void resume();
   int searched_until() const;
-  void begin_map(BootstrapResult views, std::optional<SureView> before);
-  MadeMap make_map(BootstrapResult views, const std::optional<SureView>& before);
+  void begin_map(BootstrapResult views, std::optional<TrustedReference> before);
+  MadeMap make_map(BootstrapResult views, const std::optional<TrustedReference>& before);
 
   Pinhole pinhole_;
   TrackingParams params_;
   MapLink* map_;
   // Frames after those that are known not to end in a map, oldest first.
-  LateFrames late_;
+  FrameBuffer late_;
   bool catches_up_ = false;
   // Of the searching thread.
   Bootstrap bootstrap_;

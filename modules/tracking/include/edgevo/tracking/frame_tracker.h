@@ -59,10 +59,10 @@ struct Track {
   std::optional<PoseCandidate> wants_corners;
   /// The reference that it was tracked against: without what moves by itself.
   std::shared_ptr<const Reference> scene;
-  /// Whether the pose is that of a camera that stands (hold_pose()).
-  bool is_held = false;
+  /// Whether the pose is that of a camera that stands (zero_velocity_update()).
+  bool is_zero_velocity = false;
   /// Number of bodies that are known from this frame on to move by themselves.
-  int moving_bodies = 0;
+  int moving_objects = 0;
   /// CPU time of corner tracking in milliseconds; 0: corners were not tracked.
   double corner_ms = 0;
 };
@@ -77,7 +77,7 @@ Track track_frame(const TrackingTask& task);
 Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges);
 
 /// The pose T_cur_ref, which is known, with its measurements. Cost: one alignment of edges.
-Track hold_pose(const TrackingTask& task, const SE3& T_cur_ref);
+Track zero_velocity_update(const TrackingTask& task, const SE3& T_cur_ref);
 
 /// Image motion that follows from the pose T_cur_ref and `twist`, with the depths that were expected.
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,

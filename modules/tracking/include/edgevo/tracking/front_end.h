@@ -7,14 +7,14 @@
 #include <string>
 #include <utility>
 
-#include "edgevo/confidence/smooth_error_mean.h"
+#include "edgevo/confidence/correlated_residual_mean.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/mapping/mapper.h"
-#include "edgevo/segmentation/moving_bodies.h"
-#include "edgevo/segmentation/standstill.h"
+#include "edgevo/segmentation/moving_objects.h"
+#include "edgevo/segmentation/stationary_detector.h"
 #include "edgevo/segmentation/view_masks.h"
 #include "edgevo/tracking/corner_search.h"
 #include "edgevo/tracking/frame_tracker.h"
@@ -34,7 +34,7 @@ struct TrackingOptions {
   /// Detectors that EdgeParams::detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
   /// Corners are searched next to the frames (corner_search.h).
-  bool corners_beside = false;
+  bool corners_in_parallel = false;
 };
 
 /// A frame while it is processed.
@@ -48,7 +48,7 @@ struct ArrivedFrame {
   /// What the images up to it show without a pose (ViewMasks).
   StillCells still;
   /// Whether a part of its view may be fixed to the camera.
-  bool may_show_own_part = false;
+  bool may_show_ego_part = false;
   /// Record of the frame; null until it is begun.
   FrameRecord* record = nullptr;
 };
@@ -69,7 +69,7 @@ class FrontEnd {
   /// Motion from the last frame with a pose to one at T_cur_ref.
   SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * motion_.T_last_ref().inverse(); }
   /// Why the step to a pose is not believed, whatever its support; nothing where it is.
-  std::optional<Reason> reason_against_step(const SE3& T_cur_ref) const;
+  std::optional<Reason> step_gate(const SE3& T_cur_ref) const;
   /// Whether the map is in view (MapCoverage::look).
   MapInView look(const FrameEvidence& evidence) { return coverage_.look(evidence); }
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
@@ -118,21 +118,21 @@ class FrontEnd {
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
   TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
   Track track_scene(const ArrivedFrame& now, bool was_lost);
-  void hold_standstill(const ArrivedFrame& now, bool was_lost, Track* found);
+  void update_zero_velocity(const ArrivedFrame& now, bool was_lost, Track* found);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
   TrackingParams params_;
   Rectification rectification_;
   PyramidBuilder builder_;
   ViewMasks masks_;
-  Random random_;                                 // for corners
-  std::unique_ptr<CornerSearch> corners_beside_;  // only with TrackingOptions::corners_beside
+  Random random_;                                      // for corners
+  std::unique_ptr<CornerSearch> corners_in_parallel_;  // only with TrackingOptions::corners_in_parallel
   MotionModel motion_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
-  MovingBodies bodies_;
-  Standstill standstill_;
-  SmoothErrorMean smooth_error_;
+  MovingObjects bodies_;
+  StationaryDetector stationary_;
+  CorrelatedResidualMean correlated_residual_;
   std::shared_ptr<const Reference> reference_;
   std::shared_ptr<const FramePyramid> newest_pyramid_;
 };

@@ -28,7 +28,7 @@ class MotionModel {
   double largest_step(double median_depth) const;
   /// Translation a frame of points in the camera's axes at the usual speed (that median), in the direction of
   /// the last step in which the camera did not stand; 0 until ten steps are known.
-  Eigen::Vector3d usual_step() const;
+  Eigen::Vector3d typical_step() const;
   /// Translation a frame from the last frame with a pose to T_cur_ref.
   double step_to(const SE3& T_cur_ref) const;
   /// Frame intervals from the last frame with a pose to the current one: 1 if none was lost or skipped.
@@ -49,7 +49,7 @@ class MotionModel {
   /// prior decided on the pose.
   void follow(const SE3& T_cur_ref, bool held = false);
   /// The map has set its unit back: lengths from now on over those before.
-  void change_unit(double length_ratio);
+  void rescale(double scale_ratio);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
   /// nothing: not known.
   void restart(const std::optional<SE3>& motion);

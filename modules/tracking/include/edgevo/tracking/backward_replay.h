@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Frames that came before it was known what in view is fixed to the camera. Their views make no map, since
+// the part would be in it; the map that is made later, without the part, gives them poses backwards.
+#include <deque>
+#include <memory>
+
+#include "edgevo/alignment/reference.h"
+#include "edgevo/map/frame_log.h"
+#include "edgevo/mapping/bootstrap.h"
+#include "edgevo/tracking/front_end.h"
+#include "edgevo/tracking/tracking_params.h"
+
+namespace edgevo {
+
+/// Keeps the frames of a bootstrap until there is a map; for the tracking thread.
+class BackwardReplay {
+ public:
+  /// Takes the next frame without a pose. Beyond a bound, lower while nothing may be fixed to the camera, the
+  /// oldest is lost.
+  void add(const ArrivedFrame& now);
+  /// The mask has changed: the frames so far will not be in the views of a map.
+  void mask_changed() { is_needed_ = !frames_.empty(); }
+  /// The map of a segment is there: gives the frames before its first view their poses, from the latest to
+  /// the first that the map does not explain, and forgets all. Nothing happens if no mask has changed
+  /// meanwhile. Cost: one alignment a frame.
+  void place(const BootstrapResult& views, const Reference& reference, int segment,
+             const TrackingParams& params, FrameLog* frames);
+  /// Forgets the frames.
+  void clear();
+
+ private:
+  struct Early {
+    int frame_index;
+    std::shared_ptr<const FramePyramid> pyramid;
+  };
+  std::deque<Early> frames_;
+  bool is_needed_ = false;
+};
+
+}  // namespace edgevo

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/tracking/backward_replay.h"
+
+#include <utility>
+
+#include "edgevo/alignment/tracker.h"
+#include "edgevo/confidence/collect_evidence.h"
+#include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/trace.h"
+#include "edgevo/tracking/bootstrap_placement.h"
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kMaxWhileSuspected = 60;  // while a part of the view may be fixed to the camera
+constexpr size_t kMaxUsually = 16;         // a part is suspected after a few images that differ
+
+}  // namespace
+
+void BackwardReplay::add(const ArrivedFrame& now) {
+  frames_.push_back({now.frame.index, now.pyramid});
+  const bool is_suspected = is_needed_ || now.may_show_ego_part;
+  while (frames_.size() > (is_suspected ? kMaxWhileSuspected : kMaxUsually)) frames_.pop_front();
+}
+
+void BackwardReplay::place(const BootstrapResult& views, const Reference& reference, int segment,
+                           const TrackingParams& params, FrameLog* frames) {
+  std::deque<Early> early = std::exchange(frames_, {});
+  if (!std::exchange(is_needed_, false) || views.views.size() < 2) return;
+  const TraceScope traced("poses of earlier frames");
+  const SupportScorer scorer(params.status);
+  SE3 later = pose_in_map(views.views[1], views, reference),
+      last = pose_in_map(views.views.front(), views, reference);
+  while (!early.empty()) {
+    const Early frame = std::move(early.back());
+    early.pop_back();
+    if (frame.frame_index >= views.views.front().frame_index) continue;
+    std::optional<FrameRecord> record = frames->find(frame.frame_index);
+    if (!record || record->T_world_cam_live) return;
+    const TrackResult found =
+        track(*frame.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
+              params.alignment);
+    add_pose(found, reference, &record->evidence);
+    const TrackingState state = frame_status(record->evidence, params.status).state;
+    if (state == TrackingState::kLost) return;
+    assign_status({state, {}}, &*record);
+    record->covariance = reported_covariance(found, reference);
+    later = std::exchange(last, found.T_cur_ref);
+    place_replayed(std::move(*record), segment, reference, found.T_cur_ref, frames);
+  }
+}
+
+void BackwardReplay::clear() {
+  frames_.clear();
+  is_needed_ = false;
+}
+
+}  // namespace edgevo

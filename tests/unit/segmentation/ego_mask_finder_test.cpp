@@ -1,0 +1,326 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The mask of what is fixed to the camera.
+#include "ego_mask_finder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/random.h"
+#include "edgevo/edges/opencv_view.h"
+#include "ego_mask.h"
+#include "support/masked_builder.h"
+#include "support/temp_folder.h"
+#include "support/test_images.h"
+
+namespace edgevo {
+namespace {
+
+using test::MaskedBuilder;
+
+constexpr int kPartWidth = 480, kPartHeight = 320;
+
+// Blocks of random gray, 9 pixels wide.
+double random_blocks(double x, double y, uint64_t seed) {
+  const auto cell = [](double v) { return uint64_t(int64_t(std::floor(v / 9)) + 100000); };
+  return 40 + 170 * Random::derive(seed, cell(x) * 1000003 + cell(y)).uniform();
+}
+
+bool on_part(double x, double y) { return x > 170 && x < 330 && y > 210; }
+
+Camera part_camera() {
+  return Camera(Pinhole{400, 400, kPartWidth / 2.0, kPartHeight / 2.0, kPartWidth, kPartHeight});
+}
+
+// A scene that has moved by (x, y), with noise, behind what `body` paints; nothing: the scene.
+using Body = std::function<std::optional<double>(double x, double y)>;
+GrayImage part_view(double x, double y, const Body& body, uint64_t seed) {
+  GrayImage image = test::make_image(kPartWidth, kPartHeight, [&](double u, double v) {
+    const std::optional<double> gray = body(u, v);
+    return gray ? *gray : random_blocks(u + x, v + y, 1);
+  });
+  Random noise(seed);
+  for (uint8_t& p : image.pixels) p = uint8_t(std::clamp(p + 1.5 * noise.normal(), 0.0, 255.0));
+  return image;
+}
+
+std::optional<double> no_body(double, double) { return std::nullopt; }
+std::optional<double> gripper(double x, double y) {
+  if (!on_part(x, y)) return std::nullopt;
+  return random_blocks(x, y, 2);
+}
+
+// The pyramid of the last of the images.
+std::shared_ptr<const FramePyramid> show(MaskedBuilder* builder, int images, double x_step, double y_step,
+                                         const Body& body, int first = 0) {
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = first; i < first + images; ++i)
+    pyramid = builder->build(part_view(i * x_step, i * y_step, body, uint64_t(i + 1)));
+  return pyramid;
+}
+
+struct Covered {
+  double of_part = 0, of_scene = 0;
+};
+
+// Shares of the edges of an image on the part and of the scene that lie under the mask.
+Covered covered(const GrayImage& image, const FramePyramid& masked) {
+  EdgeParams plain;
+  plain.find_own_parts = false;
+  double part = 0, part_masked = 0, scene = 0, scene_masked = 0;
+  const auto unmasked = PyramidBuilder(part_camera(), plain).build(image);
+  for (const EdgePixel& e : unmasked->finest().edges.pixels) {
+    const bool is_masked = masked.is_ego(e.x, e.y);
+    if (on_part(e.x, e.y))
+      ++part, part_masked += is_masked;
+    else if (!on_part(e.x - 5, e.y) && !on_part(e.x + 5, e.y) && !on_part(e.x, e.y + 5))
+      ++scene, scene_masked += is_masked;
+  }
+  return {part_masked / part, scene_masked / scene};
+}
+
+TEST(EgoMaskFinder, ThePartIsMaskedAndTheSceneIsNot) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  const auto pyramid = show(&builder, 70, 3, 1.3, gripper);
+  ASSERT_TRUE(pyramid->ego_mask);
+  const Covered share = covered(pyramid->source, *pyramid);
+  EXPECT_GT(share.of_part, 0.95);
+  EXPECT_LT(share.of_scene, 0.02);
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(pyramid->is_ego(e.x, e.y));
+}
+
+// A part of little contrast before a scene of as little, or of much, image by image.
+GrayImage faint_view(int i, bool is_scene_faint) {
+  const Body body = [&](double x, double y) -> std::optional<double> {
+    if (on_part(x, y)) return 100 + 0.15 * random_blocks(x, y, 2);
+    if (!is_scene_faint) return std::nullopt;
+    return 100 + 0.15 * random_blocks(x + 3 * i, y + 1.3 * i, 1);
+  };
+  return part_view(3 * i, 1.3 * i, body, uint64_t(i + 1));
+}
+
+TEST(EgoMaskFinder, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 30; ++i) builder.build(faint_view(i, true));
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 30; i < 70; ++i) pyramid = builder.build(faint_view(i, false));
+  ASSERT_TRUE(pyramid->ego_mask);
+  const Covered share = covered(faint_view(70, true), *pyramid);
+  EXPECT_GT(share.of_part, 0.9);
+  EXPECT_LT(share.of_scene, 0.02);
+}
+
+TEST(EgoMaskFinder, AUniformPartIsMaskedByItsOutline) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 0; i < 60; ++i) {
+    const auto plain = [&](double x, double y) -> std::optional<double> {
+      if (on_part(x, y)) return 110;
+      return random_blocks((x + 3 * i) / 4, (y + 1.3 * i) / 4, 1);
+    };
+    pyramid = builder.build(part_view(0, 0, plain, uint64_t(i + 1)));
+  }
+  ASSERT_TRUE(pyramid->ego_mask);
+  const Covered share = covered(pyramid->source, *pyramid);
+  EXPECT_GT(share.of_part, 0.95);
+  EXPECT_LT(share.of_scene, 0.02);
+}
+
+TEST(EgoMaskFinder, ASceneWithoutEdgesNextToAPartIsNotMasked) {
+  const auto on_a_table = [](double x, double y) -> std::optional<double> {
+    if (on_part(x, y)) return gripper(x, y);
+    if (y > 190) return 120;
+    return std::nullopt;
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  const auto pyramid = show(&builder, 40, 3, 1.3, on_a_table);
+  ASSERT_TRUE(pyramid->ego_mask);
+  EXPECT_TRUE(pyramid->is_ego(250, 260));
+  EXPECT_FALSE(pyramid->is_ego(140, 260));
+  EXPECT_FALSE(pyramid->is_ego(360, 260));
+}
+
+TEST(EgoMaskFinder, WhatIsStillInTheMiddleOfTheViewIsFarAhead) {
+  const auto far = [](double x, double y) -> std::optional<double> {
+    if (x < 170 || x > 330 || y < 100 || y > 210) return std::nullopt;
+    return random_blocks(x, y, 2);
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 40, 3, 1.3, far)->ego_mask);
+}
+
+TEST(EgoMaskFinder, ThePartMayBeInViewUntilTheMaskHolds) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  auto before = show(&builder, 1, 3, 1.3, gripper);
+  int changes = 0;
+  for (int i = 1; i < 40; ++i) {
+    const bool was_possible = builder.masks.may_show_ego_part();
+    const auto now = show(&builder, 1, 3, 1.3, gripper, i);
+    if (now->ego_mask != before->ego_mask) {
+      ++changes;
+      EXPECT_TRUE(was_possible) << i;
+    }
+    before = now;
+  }
+  EXPECT_GT(changes, 0);
+}
+
+// The builder keeps no memory.
+TEST(PyramidBuilder, TheSameImageHasTheSameEdgesWhateverCameBefore) {
+  const GrayImage image = part_view(0, 0, gripper, 1);
+  PyramidBuilder builder(part_camera(), EdgeParams());
+  const auto first = builder.build(image);
+  for (int i = 1; i < 30; ++i) builder.build(part_view(3 * i, 1.3 * i, gripper, uint64_t(i + 1)));
+  const auto again = builder.build(image);
+  ASSERT_EQ(first->finest().edges.pixels.size(), again->finest().edges.pixels.size());
+  for (size_t i = 0; i < first->finest().edges.pixels.size(); ++i)
+    EXPECT_EQ(first->finest().edges.pixels[i].position(), again->finest().edges.pixels[i].position());
+}
+
+TEST(EgoMaskFinder, ASceneWithoutAPartHasNoMask) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 60, 2, 0.7, no_body)->ego_mask);
+}
+
+TEST(EgoMaskFinder, ACameraThatStandsMakesNoMaskWhateverCrosses) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 60; ++i) {
+    const double left = -250 + 12 * i;
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x < left || x > left + 250 || y < 60 || y > 260) return std::nullopt;
+      return random_blocks(x - left, y, 3);
+    };
+    ASSERT_FALSE(builder.build(part_view(0, 0, bus, uint64_t(i + 1)))->ego_mask) << i;
+  }
+}
+
+TEST(StillCells, AreThoseThatABusDoesNotCover) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  show(&builder, 4, 3, 1.3, no_body);
+  const auto bus = [](double x, double y) -> std::optional<double> {
+    if (x > 250 || y < 60 || y > 260) return std::nullopt;
+    return random_blocks(x - 6, y, 3);
+  };
+  builder.build(part_view(12, 5.2, no_body, 5));
+  EXPECT_TRUE(builder.masks.still_cells().empty()) << "the view moves";
+  builder.build(part_view(12, 5.2, bus, 6));
+  const StillCells still = builder.masks.still_cells();
+  EXPECT_FALSE(still.contain(0.25, 0.5)) << "the bus";
+  EXPECT_TRUE(still.contain(0.8, 0.5));
+  EXPECT_TRUE(still.contain(0.999, 0.999));
+}
+
+TEST(EgoMaskFinder, EdgesThatSlideAlongThemselvesAreNoPart) {
+  const auto lines = [](double x, double y) -> std::optional<double> {
+    if (!on_part(x, y)) return std::nullopt;
+    return int(std::floor(y / 11)) % 2 == 0 ? 50 : 200;
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  EXPECT_FALSE(show(&builder, 40, 3, 0, lines)->ego_mask);
+}
+
+TEST(EgoMaskFinder, AMaskIsTakenBackWhenWhatItCoversMoves) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->ego_mask);
+  EXPECT_FALSE(show(&builder, 70, 3, 1.3, no_body, 30)->ego_mask);
+}
+
+TEST(EgoMaskFinder, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
+  const auto part = [](bool is_lit) {
+    return [is_lit](double x, double y) -> std::optional<double> {
+      if (x < 60 || x > 420 || y < 210) return std::nullopt;
+      return is_lit || x < 180 ? random_blocks(x, y, 2) : 100;
+    };
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  ASSERT_TRUE(show(&builder, 30, 3, 1.3, part(true))->is_ego(380, 270));
+  EXPECT_TRUE(show(&builder, 25, 3, 1.3, part(false), 30)->is_ego(380, 270)) << "its instruments are dark";
+}
+
+TEST(EgoMaskFinder, AGivenMaskHoldsFromTheFirstImage) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  cv::Mat mask(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255));
+  mask(cv::Rect(170, 210, 161, kPartHeight - 210)) = 0;
+  cv::imwrite(path, mask);
+  EdgeParams params;
+  params.mask = path;
+  const auto pyramid = MaskedBuilder(part_camera(), params).build(part_view(0, 0, gripper, 1));
+  for (const EdgePixel& e : pyramid->finest().edges.pixels) EXPECT_FALSE(on_part(e.x, e.y));
+  EXPECT_NEAR(pyramid->ego_share(), 161.0 * (kPartHeight - 210) / (kPartWidth * kPartHeight), 1e-9);
+}
+
+TEST(ReadMask, ScalesOneOfTheSameShape) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  for (const double scale : {0.5, 0.37, 1 / 0.63, 2.0}) {
+    const cv::Size size(int(std::lround(scale * kPartWidth)), int(std::lround(scale * kPartHeight)));
+    cv::Mat large(size, CV_8U, cv::Scalar(255));
+    large(cv::Rect(0, 0, size.width / 2, size.height)) = 0;
+    cv::imwrite(path, large);
+    const Plane<uint8_t> mask = read_mask(path, kPartWidth, kPartHeight);
+    EXPECT_EQ(mask.at(kPartWidth / 2 - 4, 100), 255) << scale;
+    EXPECT_EQ(mask.at(kPartWidth / 2 + 4, 100), 0) << scale;
+    EXPECT_NEAR(cv::countNonZero(as_mat(mask)), kPartWidth * kPartHeight / 2, 2 * kPartHeight) << scale;
+  }
+}
+
+// Programs round sides up, down or to the nearest pixel.
+TEST(ReadMask, ScalesHoweverTheSidesWereRounded) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto accepts = [&](const cv::Size& mask, const cv::Size& images) {
+    cv::Mat half(mask, CV_8U, cv::Scalar(255));
+    half.rowRange(0, mask.height / 2) = 0;
+    cv::imwrite(path, half);
+    EXPECT_EQ(read_mask(path, images.width, images.height).at(5, 5), 255) << mask << images;
+  };
+  for (const int width : {620, 621})
+    for (const int height : {188, 189}) {
+      accepts({width, height}, {1241, 377});
+      accepts({width, height}, {621, 189});
+      accepts({1241, 377}, {width, height});
+    }
+  accepts({620, 188}, {621, 188});
+}
+
+TEST(ReadMask, SaysThatTransparencyIsNotRead) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto message = [&](const cv::Scalar& colour) -> std::string {
+    cv::Mat drawn(kPartHeight, kPartWidth, CV_8UC4, colour);
+    drawn.rowRange(0, 40) = cv::Scalar(colour[0], colour[1], colour[2], 0);
+    cv::imwrite(path, drawn);
+    try {
+      read_mask(path, kPartWidth, kPartHeight);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({0, 0, 0, 255}).find("its transparency is not read"), std::string::npos);
+  EXPECT_NE(message({255, 255, 255, 255}).find("its transparency is not read"), std::string::npos);
+  EXPECT_EQ(message({255, 255, 255, 0}).find("transparency"), std::string::npos);
+}
+
+TEST(ReadMask, RefusesAnotherShapeAndMasksOfNothingOrEverything) {
+  const test::TempFolder folder;
+  const std::string path = folder.path() + "/mask.png";
+  const auto refuses = [&](const cv::Mat& mask) {
+    cv::imwrite(path, mask);
+    EXPECT_THROW(read_mask(path, kPartWidth, kPartHeight), InputError);
+  };
+  cv::Mat other(kPartHeight, kPartWidth + 4, CV_8U, cv::Scalar(255));
+  other.at<uint8_t>(0, 0) = 0;
+  refuses(other);
+  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255)));
+  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(0)));
+  EXPECT_THROW(read_mask(folder.path() + "/missing.png", kPartWidth, kPartHeight), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo
