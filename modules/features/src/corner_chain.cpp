@@ -13,14 +13,11 @@
 namespace edgevo {
 namespace {
 
-constexpr double kNoisePx = 0.4;       // of a followed corner, in each direction
 constexpr double kDepthNoisePx = 0.8;  // of a measured depth: also anchor, pose and drift of the patch
 constexpr int kMinToStart = 20, kMinToGoOn = 12, kMaxFailures = 5;
 constexpr double kKnownDepth = 0.25;  // relative standard deviation
 constexpr double kGuess = 1e4;        // factor on the variance of a depth that is not known
-constexpr double kMaxError = 3;       // whitened
 constexpr int kMaxMisses = 3;
-constexpr double kMinDepth = 0.05;  // over the depth in the anchor
 constexpr double kMinShareToGoOn = 0.3;
 // Information of a depth counts as at most so many of its best measurements: they share the anchor's error.
 constexpr double kIndependent = 3;
@@ -31,15 +28,6 @@ constexpr double kPriorRotation = 0.03, kPriorTranslation = 0.5, kPriorLeastDept
 
 }  // namespace
 
-struct CornerChain::Sight {
-  bool is_visible = false;
-  double idepth = 0;              // in the anchor, given this image
-  Eigen::Vector2d px;             // at the filtered depth
-  Eigen::Vector2d slope;          // of px, by the inverse depth
-  Eigen::Matrix<double, 2, 6> J;  // of px, by the pose
-  Eigen::Matrix2d weight;         // inverse covariance of px, with the depth's uncertainty
-};
-
 struct CornerChain::Fit {
   SE3 T_cam_path;
   Matrix6d H = Matrix6d::Zero();
@@ -49,40 +37,10 @@ struct CornerChain::Fit {
   int agreeing = 0, seen = 0;
 };
 
-// Seen from T_cam_path. The depth is the likeliest one given the filter and this image, or a step would come
-// out too short: errors of fixed depths dilute it, by the square of their relative standard deviation.
-CornerChain::Sight CornerChain::predict(const Corner& c, const SE3& T_cam_path) const {
-  Sight s;
-  const SE3 T = T_cam_path * c.T_anchor_path.inverse();
-  const Eigen::Vector3d far = T.rotation() * c.ray;
-  const Eigen::Vector3d& t = T.translation();
-  // A depth that is only guessed has no say: many guesses would make a unit.
-  const double noise = kNoisePx * kNoisePx, variance = (is_known(c) ? 1 : kGuess) / c.information;
-  Eigen::Vector3d X = far + c.idepth * t;
-  if (!(X.z() > kMinDepth)) return s;
-  const auto slope_at = [&] {
-    return Eigen::Vector2d(pinhole_.fx * (t.x() - X.x() / X.z() * t.z()) / X.z(),
-                           pinhole_.fy * (t.y() - X.y() / X.z() * t.z()) / X.z());
-  };
-  const Eigen::Vector2d slope = slope_at(), off = c.px - pinhole_.project(X);
-  const double change = variance * slope.dot(off) / (noise + variance * slope.squaredNorm());
-  const double most = kMaxError * std::sqrt(variance);
-  s.idepth = std::max(0.0, c.idepth + std::clamp(change, -most, most));
-  X = far + s.idepth * t;
-  if (!(X.z() > kMinDepth)) return s;
-  s.is_visible = true;
-  s.slope = slope_at();
-  s.px = pinhole_.project(X) + (c.idepth - s.idepth) * s.slope;
-  const double x = X.x() / X.z(), y = X.y() / X.z(), fx = pinhole_.fx / X.z(), fy = pinhole_.fy / X.z();
-  Eigen::Matrix<double, 2, 3> P;
-  P << fx, 0, -fx * x, 0, fy, -fy * y;
-  s.J.leftCols<3>() = s.idepth * P;
-  s.J.rightCols<3>() = -P * skew(X);
-  // (noise I + variance g g^T)^-1
-  s.weight = (Eigen::Matrix2d::Identity() -
-              variance / (noise + variance * s.slope.squaredNorm()) * s.slope * s.slope.transpose()) /
-             noise;
-  return s;
+// A depth that is only guessed has no say: many guesses would make a unit.
+CornerSight CornerChain::predict(const Corner& c, const SE3& T_cam_path) const {
+  const double variance = (is_known(c) ? 1 : kGuess) / c.information;
+  return predict_corner({c.ray, c.idepth, variance, c.px}, T_cam_path * c.T_anchor_path.inverse(), pinhole_);
 }
 
 CornerChain::Fit CornerChain::linearise(const SE3& T_cam_path, double width) const {
@@ -90,7 +48,7 @@ CornerChain::Fit CornerChain::linearise(const SE3& T_cam_path, double width) con
   f.T_cam_path = T_cam_path;
   std::vector<double> errors;
   for (const Corner& c : corners_) {
-    const Sight s = predict(c, T_cam_path);
+    const CornerSight s = predict(c, T_cam_path);
     ++f.seen;
     const double c2 = width * width;
     if (!s.is_visible) {
@@ -104,7 +62,7 @@ CornerChain::Fit CornerChain::linearise(const SE3& T_cam_path, double width) con
     const Eigen::Matrix<double, 6, 2> JW = w * s.J.transpose() * s.weight;
     f.H.noalias() += JW * s.J;
     f.b.noalias() += JW * e;
-    f.agreeing += r2 < kMaxError * kMaxError;
+    f.agreeing += r2 < kMaxCornerError * kMaxCornerError;
     errors.push_back(r2);
   }
   // Of a squared residual of two directions the median is 1.39.
@@ -163,10 +121,10 @@ void CornerChain::match(const std::vector<CornerTrack>& tracks) {
 void CornerChain::drop_outliers(double noise) {
   std::vector<Corner> kept;
   for (Corner& c : corners_) {
-    const Sight s = predict(c, T_cam_path_);
+    const CornerSight s = predict(c, T_cam_path_);
     c.error = 1e9;
     if (s.is_visible) c.error = std::sqrt((c.px - s.px).dot(s.weight * (c.px - s.px)));
-    c.misses = c.error > kMaxError * noise ? c.misses + 1 : 0;
+    c.misses = c.error > kMaxCornerError * noise ? c.misses + 1 : 0;
     if (c.misses < kMaxMisses)
       kept.push_back(c);
     else
@@ -177,7 +135,7 @@ void CornerChain::drop_outliers(double noise) {
 
 void CornerChain::update_depths() {
   for (Corner& c : corners_) {
-    const Sight s = predict(c, T_cam_path_);
+    const CornerSight s = predict(c, T_cam_path_);
     if (!s.is_visible || c.misses > 0) continue;
     const double here = s.slope.squaredNorm() / (kDepthNoisePx * kDepthNoisePx);
     if (!(here > 0)) continue;
@@ -249,7 +207,7 @@ std::vector<ExpectedCorner> CornerChain::expect(const std::optional<SE3>& T_cur_
   for (const Corner& c : corners_) {
     const SE3 T = step * T_cam_path_ * c.T_anchor_path.inverse();
     const Eigen::Vector3d X = T.rotation() * c.ray + c.idepth * T.translation();
-    if (!(X.z() > kMinDepth)) continue;
+    if (!(X.z() > kLeastCornerDepth)) continue;
     const Eigen::Vector2d px = pinhole_.project(X);
     if (pinhole_.contains(px)) expected.push_back({c.id, px.cast<float>()});
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "corner_sight.h"
 #include "corner_tracks.h"
 #include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
@@ -57,11 +58,10 @@ class CornerChain {
     Eigen::Vector2d px;      // in the newest image
     double error = 0;        // whitened
   };
-  struct Sight;  // a corner predicted in an image
-  struct Fit;    // normal equations at a pose
+  struct Fit;  // normal equations at a pose
 
   void match(const std::vector<CornerTrack>& tracks);
-  Sight predict(const Corner& corner, const SE3& T_cam_path) const;
+  CornerSight predict(const Corner& corner, const SE3& T_cam_path) const;
   Fit linearise(const SE3& T_cam_path, double width) const;
   Fit fit(SE3 T_cam_path, const SE3& expected) const;
   ChainStep step_of(const std::optional<Fit>& found) const;

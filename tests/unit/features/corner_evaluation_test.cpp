@@ -6,64 +6,15 @@
 
 #include <cmath>
 #include <functional>
-#include <random>
+
+#include "support/corner_street.h"
 
 namespace edgevo {
 namespace {
 
-const Pinhole kCamera{360, 360, 310, 94, 621, 188};
-
-// A street of points, and a camera that drives along it in gentle bends, or as a test wants.
-constexpr int kPoints = 10000;
-class Street {
- public:
-  explicit Street(double moving_share = 0) {
-    for (int i = 0; i < kPoints; ++i) {
-      points_.emplace_back(at(-14, 14), at(-4, 1.6), at(0, 260));
-      if (std::abs(points_.back().x()) < 2.5) points_.back().y() = 1.6;
-      moves_.push_back(at(0, 1) < moving_share);
-    }
-  }
-  // The corners that the camera sees: those followed so far as long as they are in view, and new ones.
-  CornerView look(const SE3& T_cam_world, int frame) {
-    CornerView view{kCamera, {}};
-    std::vector<size_t> followed;
-    const auto see = [&](size_t i) {
-      Eigen::Vector3d p = points_[i];
-      if (moves_[i]) p += frame * Eigen::Vector3d(0.02, 0, 0.5);
-      const Eigen::Vector3d c = T_cam_world * p;
-      if (c.z() < 2 || c.z() > 60) return;
-      const Eigen::Vector2d px =
-          kCamera.project(c) + 0.2 * Eigen::Vector2d(normal_(random_), normal_(random_));
-      if (!kCamera.contains(px, 4)) return;
-      if (ids_[i] == 0) ids_[i] = next_id_++;
-      followed.push_back(i);
-      view.tracks.push_back({ids_[i], px.cast<float>(), Eigen::Vector2f::Zero()});
-    };
-    for (const size_t i : followed_) see(i);
-    for (size_t i = 0; i < points_.size() && followed.size() < 80; ++i)
-      if (ids_[i] == 0) see(i);
-    followed_ = followed;
-    return view;
-  }
-
- private:
-  double at(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  std::mt19937 random_{5};
-  std::normal_distribution<double> normal_;
-  std::vector<Eigen::Vector3d> points_;
-  std::vector<bool> moves_;
-  std::vector<uint32_t> ids_ = std::vector<uint32_t>(kPoints, 0);
-  std::vector<size_t> followed_;
-  uint32_t next_id_ = 1;
-};
-
-// True motion from one image to the next.
-SE3 drive(int frame) {
-  Vector6d xi;
-  xi << 0, 0, -0.7, 0, 0.004 * std::sin(frame / 15.0), 0;
-  return SE3::exp(xi);
-}
+using Street = test::CornerStreet;
+const Pinhole& kCamera = test::street_camera();
+constexpr auto drive = test::street_drive;
 
 SE3 scaled(const SE3& T, double s) { return {T.rotation(), s * T.translation()}; }
 
