@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/core/keyframe_reason.h"
+#include "edgevo/core/reason.h"
 
 #include <array>
 

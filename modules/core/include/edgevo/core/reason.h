@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Why a frame has no pose, or one that is not to be trusted: a kind, to count and compare by, and the numbers
-// that were measured. Sentences are made of them at the end.
+// that were measured; sentences are made of them at the end. And why a frame becomes a keyframe.
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace edgevo {
@@ -107,5 +109,31 @@ std::string to_string(const Reasons& reasons);
 Reasons joined(Reasons first, const Reasons& second);
 /// Whether two lists have the same kinds in the same order, whatever their numbers are.
 bool are_alike(const Reasons& a, const Reasons& b);
+
+/// Criterion that requested a keyframe (tracking/keyframe_policy.h), or another way in which the frame
+/// became one.
+enum class KeyframeReason {
+  /// No keyframe was requested.
+  kNone,
+  /// Translation has caused enough parallax.
+  kParallax,
+  /// Rotation, possibly without translation, has turned the map out of view.
+  kRotation,
+  /// The next frame would see too little of the map.
+  kViewLeaves,
+  /// The view changes quickly from frame to frame.
+  kFastTurn,
+  /// The maximum interval between keyframes has passed.
+  kLongSince,
+  /// The camera has returned to an older keyframe, which becomes the reference; no keyframe is made.
+  kReturn,
+  /// The frame is a view of the bootstrap.
+  kBootstrap,
+};
+
+/// Name in frames.csv: "parallax", "view leaves", ...; empty for kNone.
+std::string_view to_string(KeyframeReason reason);
+/// Inverse of to_string(); nullopt for an unknown name.
+std::optional<KeyframeReason> parse_keyframe_reason(std::string_view name);
 
 }  // namespace edgevo

@@ -15,7 +15,6 @@
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/frame_evidence.h"
-#include "edgevo/core/keyframe_reason.h"
 #include "edgevo/core/reason.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"

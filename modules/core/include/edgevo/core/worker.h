@@ -36,6 +36,7 @@ class Worker {
   /// A piece of work.
   using Work = std::function<void()>;
 
+  /// Begins its thread, if it has one.
   explicit Worker(const WorkerOptions& options);
   /// Does the work that waits (see drops_at_end); what that throws is lost.
   ~Worker();

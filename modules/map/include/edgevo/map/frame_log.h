@@ -17,6 +17,7 @@ namespace edgevo {
 /// Frames and segments of a run; for the tracking thread.
 class FrameLog {
  public:
+  /// `log`, not null, receives the events.
   FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log);
 
   /// Keeps the newest frames only: those of a long bootstrap, and of the poses before a loss.

@@ -18,15 +18,17 @@ namespace edgevo {
 struct ComparedScale {
   /// What was found.
   RelativeScale unit;
-  /// The views, newest first, and whether they are those of UnresolvedScale.
+  /// The views, newest first.
   std::vector<TrustedReference> before;
+  /// Whether they are those of UnresolvedScale.
   bool is_open = false;
 };
 
 /// What was found about the map that was seen in `now`.
 struct ScaleAnswer {
-  /// Frame of the view, and the view.
+  /// Frame of the view.
   int frame_index = 0;
+  /// The view.
   TrustedReference now;
   /// Whether a doubt ended there; else an earlier one was compared again.
   bool ends_doubt = false;

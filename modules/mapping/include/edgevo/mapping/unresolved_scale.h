@@ -17,6 +17,7 @@ namespace edgevo {
 /// When to compare the present map with views of before. For the tracking thread; keeps those views alive.
 class UnresolvedScale {
  public:
+  /// Standard deviation of a ratio of which nothing is known.
   static constexpr double kUnknown = std::numeric_limits<double>::infinity();
 
   /// Notes what a comparison of `view`, at frame `frame_index`, with `before` has shown.

@@ -7,7 +7,7 @@
 // the first that calls for a keyframe is the reason in frames.csv.
 #include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
-#include "edgevo/core/keyframe_reason.h"
+#include "edgevo/core/reason.h"
 #include "edgevo/tracking/keyframe_params.h"
 
 namespace edgevo {
