@@ -15,8 +15,18 @@ Worker::~Worker() {
     const std::lock_guard<std::mutex> lock(mutex_);
     drops_ = true;
   }
+  end_thread();
+}
+
+void Worker::end_thread() {
   queue_.close();
   if (thread_.joinable()) thread_.join();
+}
+
+void Worker::finish() {
+  end_thread();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rethrow();
 }
 
 template <typename Add>
@@ -48,13 +58,10 @@ void Worker::submit_when_room(Work work) {
 }
 
 bool Worker::submit_over_oldest(Work work) {
-  bool is_dropped = false;
-  submit_by(std::move(work), [&](Work w) {
-    is_dropped = queue_.push_over_oldest(std::move(w)).has_value();
-    return true;
-  });
-  if (is_dropped) finished_one();
-  return is_dropped;
+  std::optional<Work> oldest;
+  submit_by(std::move(work), [&](Work w) { return queue_.push_over_oldest(std::move(w), &oldest); });
+  if (oldest) finished_one();
+  return oldest.has_value();
 }
 
 void Worker::wait_idle() {

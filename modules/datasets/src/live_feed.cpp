@@ -70,7 +70,8 @@ bool LiveFeed::keep(Frame frame) {
 void LiveFeed::keep_newest(Waiting waiting) {
   // Whoever takes a frame that came after a dropped one finds that one in the list.
   const std::lock_guard<std::mutex> lock(dropping_);
-  std::optional<Waiting> oldest = waiting_.push_over_oldest(std::move(waiting));
+  std::optional<Waiting> oldest;
+  waiting_.push_over_oldest(std::move(waiting), &oldest);
   if (!oldest) return;
   oldest->frame.image = {};
   dropped_.push_back(std::move(oldest->frame));

@@ -101,9 +101,9 @@ struct EdgeMapper::Impl {
 
   EdgeMapParams params;
   EdgeFusion fusion;  // owned by the worker's thread while it works
-  Worker worker;
-  int skipped = 0;                                                     // keyframes
+  int skipped = 0;    // keyframes
   std::map<int, std::shared_ptr<const std::vector<EdgeSides>>> sides;  // by keyframe id
+  Worker worker;  // last member: it ends before the others
 };
 
 EdgeMapper::EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, bool own_thread,

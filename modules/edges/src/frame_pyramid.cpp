@@ -267,7 +267,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
   auto pyramid = std::make_shared<FramePyramid>();
   pyramid->source = image;
   pyramid->border_mask = std::move(known.masks.border);
-  pyramid->ego_mask = std::move(known.masks.own);
+  pyramid->ego_mask = std::move(known.masks.ego);
   pyramid->probability = std::move(known.likely);
   pyramid->correction = correction;
   pyramid->levels.resize(size_t(params.levels));

@@ -21,26 +21,20 @@ void MappingThread::run(const TrackedFrame& frame) {
     update = mapper_->process(frame);
     traced.set_keyframe(update.keyframe_id);
   } catch (...) {
-    give_up(frame);  // or a caller that goes on would wait for its keyframes
+    finish(frame, true);  // or a caller that goes on would wait for its keyframes
     throw;
   }
-  finish(frame);
+  finish(frame, false);
   on_update_(frame, update);
 }
 
-void MappingThread::finish(const TrackedFrame& frame) {
+void MappingThread::finish(const TrackedFrame& frame, bool has_failed) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     reference_ = mapper_->reference();
     if (frame.make_keyframe) --keyframes_pending_;
+    has_failed_ |= has_failed;
   }
-  keyframe_done_.notify_all();
-}
-
-void MappingThread::give_up(const TrackedFrame& frame) {
-  finish(frame);
-  const std::lock_guard<std::mutex> lock(mutex_);
-  has_failed_ = true;
   keyframe_done_.notify_all();
 }
 
@@ -48,7 +42,7 @@ void MappingThread::submit(TrackedFrame frame) {
   const bool is_needed = frame.is_needed();
   if (frame.make_keyframe) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    ++keyframes_pending_;
+    if (!has_failed_) ++keyframes_pending_;
   }
   auto work = [this, mapped = std::move(frame)] { run(mapped); };
   if (is_needed)

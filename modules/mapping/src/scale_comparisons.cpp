@@ -10,15 +10,15 @@
 namespace edgevo {
 namespace {
 
-// Comparisons that may wait: a doubt ends every twenty frames at most.
-constexpr size_t kMaxWaiting = 8;
+// Comparisons are few: a doubt ends every twenty frames at most. None is refused.
+constexpr size_t kUsuallyWaiting = 8;
 
 }  // namespace
 
 ScaleComparisons::ScaleComparisons(const Pinhole& pinhole, bool own_thread)
     : pinhole_(pinhole),
-      answers_(kMaxWaiting),
-      worker_({"unit of length", kMaxWaiting, own_thread, true, true}) {}
+      answers_(kUsuallyWaiting),
+      worker_({"unit of length", kUsuallyWaiting, own_thread, true, true}) {}
 
 void ScaleComparisons::begin(IntegrityMonitor::Integrity health, int frame_index,
                              const TrustedReference& view, const std::vector<TrustedReference>& before,
@@ -30,7 +30,7 @@ void ScaleComparisons::begin(IntegrityMonitor::Integrity health, int frame_index
     if (open_.is_open()) candidates.push_back(open);
     candidates.push_back({before, false, UnresolvedScale::kUnknown});
     begin({frame_index, view, true, {}, {}}, std::move(candidates), scale_of);
-  } else if (health == IntegrityMonitor::Integrity::kNominal && worker_.is_idle() &&
+  } else if (health == IntegrityMonitor::Integrity::kNominal && is_idle() &&
              open_.is_due(frame_index, view)) {
     begin({frame_index, view, false, {}, {}}, {open}, scale_of);
   }
@@ -57,16 +57,28 @@ void ScaleComparisons::begin(ScaleAnswer answer, std::vector<Candidates> candida
 std::optional<ScaleAnswer> ScaleComparisons::take(IntegrityMonitor::Integrity health,
                                                   const TrustedReference& view) {
   while (std::optional<ScaleAnswer> answer = answers_.pop_within(std::chrono::seconds(0))) {
+    if (is_superseded(*answer)) continue;
     const bool holds = health != IntegrityMonitor::Integrity::kInDoubt &&
                        answer->now.segment == view.segment &&
                        answer->now.reference->unit == view.reference->unit;
     if (holds) {
       note(*answer);
+      if (answer->found.ended.scale_ratio != 1)
+        rescaled_from_ = {answer->now.segment, answer->now.reference->unit};
       return answer;
     }
     note_lost(*answer);
   }
   return std::nullopt;
+}
+
+// An answer that has not been taken may end what another comparison would look for.
+bool ScaleComparisons::is_idle() const { return worker_.is_idle() && answers_.size() == 0; }
+
+// Whether an answer that was taken before has set back the unit that this one was measured in; mapping may
+// not have done so yet.
+bool ScaleComparisons::is_superseded(const ScaleAnswer& answer) const {
+  return rescaled_from_ == std::pair(answer.now.segment, answer.now.reference->unit);
 }
 
 void ScaleComparisons::note(const ScaleAnswer& answer) {

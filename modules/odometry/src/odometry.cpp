@@ -46,7 +46,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
       frames(rectification, log),
       adjustments(log),
-      units(working, o.realtime),
+      scales(working, o.realtime),
       front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule}),
       map(rectification, p.edges, mapper_params(p), map_options(o), log),
       bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames) {
@@ -99,7 +99,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   const Timestamp time = order.take_skipped(frame, where);
   publish_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
-  trust.interrupt();
+  confidence.interrupt();
   assign_skipped(state.when_skipped(), why, &record);
   frames.publish();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
@@ -134,11 +134,11 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
   ArrivedFrame arrived = front_end.find_edges(frame, has_pose);
   if (arrived.pyramid->border_mask && !had_mask)
     report(frame, describe_border_mask(arrived.pyramid->masked_share()));
-  if (own_parts.take(*arrived.pyramid)) {
+  if (ego_mask_monitor.take(*arrived.pyramid)) {
     // Two views of a map would see different things.
     forget_views();
-    early.mask_changed();
-    report(frame, own_parts.description());
+    replay.mask_changed();
+    report(frame, ego_mask_monitor.description());
   }
   newest_pose = {};
   arrived.record = &frames.begin_frame(frame);
@@ -150,7 +150,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
 
 // ---- tracking in a map ----
 
-void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
+void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   Track track = front_end.find_pose(now, !state.has_pose());
   if (track.moving_objects > 0) report(now.frame, "a body moves by itself: no edges are taken from it");
   if (track.is_zero_velocity && !at_zero_velocity)
@@ -162,18 +162,18 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_late) {
   act(now.frame, state.after(event_of(status.state), now.frame.index), to_string(status.reasons));
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
-    trust.interrupt();
-    health.add_lost();
+    confidence.interrupt();
+    integrity.add_lost();
     return;
   }
-  if (!is_late) update_coverage_and_features(now, track.result.T_cur_ref);
-  record_pose(track.result, now.record, is_late);
+  if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
+  record_pose(track.result, now.record, is_replayed);
   assign_confidence(status, now.record);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
   if (focal) tracked.focal_length = focal->error();
-  watch_health(now, &tracked);
+  watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
-  if (is_late) {
+  if (is_replayed) {
     place_replayed(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref, &frames);
   } else {
     frames.publish();
@@ -203,20 +203,21 @@ void Odometry::Impl::track_features(const ArrivedFrame& now, const std::optional
   }
 }
 
-void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late) {
+void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed) {
   const Reference& reference = *front_end.reference();
   record->covariance = reported_covariance(tracked, reference);
-  if (!is_late) frames.place(state.segment(), reference, tracked.T_cur_ref);
+  if (!is_replayed) frames.place(state.segment(), reference, tracked.T_cur_ref);
   newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
 }
 
 void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
-      trust.add_adjustment(*mapped->adjustment);
+      confidence.add_adjustment(*mapped->adjustment);
   const SE3& T_cam_map = *newest_pose.T_cam_map;
-  const FrameConfidence found = trust.add({record->evidence, state.segment(), T_cam_map.inverse(),
-                                           frames.step_ratio(record->index, state.segment(), T_cam_map)});
+  const FrameConfidence found =
+      confidence.add({record->evidence, state.segment(), T_cam_map.inverse(),
+                      frames.step_ratio(record->index, state.segment(), T_cam_map)});
   record->p_right = found.p_right;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
@@ -224,13 +225,13 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
 
 // ---- doubt ----
 
-void Odometry::Impl::watch_health(const ArrivedFrame& now, TrackedFrame* tracked) {
+void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
-  const IntegrityMonitor::Integrity found = health.add(now.frame.index, view, is_doubtful(*now.record));
+  const IntegrityMonitor::Integrity found = integrity.add(now.frame.index, view, is_doubtful(*now.record));
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
-  units.begin(found, now.frame.index, view, health.before(),
-              [&](int segment) { return frames.T_world_map(segment).scale; });
-  if (const std::optional<ScaleAnswer> answer = units.take(found, view))
+  scales.begin(found, now.frame.index, view, integrity.before(),
+               [&](int segment) { return frames.T_world_map(segment).scale; });
+  if (const std::optional<ScaleAnswer> answer = scales.take(found, view))
     tracked->doubt_ended = end_doubt(now, *answer);
 }
 
@@ -247,7 +248,7 @@ std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, con
 }
 
 void Odometry::Impl::rescale(double scale_ratio) {
-  trust.rescale(scale_ratio);
+  confidence.rescale(scale_ratio);
   if (corners) corners->rescale(scale_ratio);
 }
 
@@ -259,9 +260,9 @@ void Odometry::Impl::publish_camera() {
 
 void Odometry::Impl::act(const Frame& frame, Action action, const std::string& reason) {
   if (action == Action::kLose || action == Action::kBeginBootstrap || action == Action::kDropBootstrap)
-    forget_views(), early.clear();
+    forget_views(), replay.clear();
   if (action == Action::kLose) report(frame, "LOST: " + reason);
-  if (action == Action::kRelocalised) early.clear(), report(frame, "relocalised in the old map");
+  if (action == Action::kRelocalised) replay.clear(), report(frame, "relocalised in the old map");
 }
 
 void Odometry::Impl::record_newest_pose(const FrameRecord& record) {

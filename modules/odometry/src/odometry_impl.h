@@ -42,18 +42,18 @@ struct Odometry::Impl {
   ArrivedFrame find_edges(const Frame& frame, bool has_pose);
 
   // ---- tracking in a map ----
-  // `is_late`: it was answered before, and its record is a copy.
-  void follow_map(const ArrivedFrame& now, bool is_late = false);
+  // `is_replayed`: it was answered before, and its record is a copy.
+  void follow_map(const ArrivedFrame& now, bool is_replayed = false);
   void update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref);
   // In this thread: the pose waits for its evidence, which takes less time than handing it over.
   void track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last);
-  void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_late);
+  void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
-  // tracked as any other; what it means for the map: watch_health().
+  // tracked as any other; what it means for the map: watch_integrity().
   void assign_confidence(const FrameStatus& by_image, FrameRecord* record);
 
   // ---- doubt ----
-  void watch_health(const ArrivedFrame& now, TrackedFrame* tracked);
+  void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
   // Of this doubt, or of an earlier one whose unit is found now; nothing if it is still not.
   std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer);
   // The map has set its unit back.
@@ -99,12 +99,12 @@ struct Odometry::Impl {
   std::shared_ptr<MapLog> log;
   FrameLog frames;
   MapCursor adjustments;
-  MotionConfidence trust;
-  IntegrityMonitor health;
-  ScaleComparisons units;
+  MotionConfidence confidence;
+  IntegrityMonitor integrity;
+  ScaleComparisons scales;
   FrontEnd front_end;
-  EgoMaskMonitor own_parts;
-  BackwardReplay early;  // not with `concurrent`
+  EgoMaskMonitor ego_mask_monitor;
+  BackwardReplay replay;  // not with `concurrent`
   MapLink map;
   Bootstrapper bootstrapper;
   std::unique_ptr<ConcurrentBootstrap> concurrent;  // only with OdometryOptions::on_schedule

@@ -19,7 +19,7 @@ void Odometry::Impl::forget_views() {
 void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
   frame_published = false;  // times and note change
-  if (!concurrent) early.add(now);
+  if (!concurrent) replay.add(now);
   const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
 }
@@ -33,7 +33,7 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
-  if (status.result && own_parts.delays_map(now.may_show_ego_part))
+  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part))
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
@@ -48,10 +48,10 @@ Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult&
   front_end.drop_map();
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
-    begin_segment(now, bootstrapper.begin_segment(state.segment(), views, health.newest_before(), scale));
+    begin_segment(now, bootstrapper.begin_segment(state.segment(), views, integrity.newest_before(), scale));
   if (problem.empty())
-    early.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
-  if (problem.empty()) health.begin_map();
+    replay.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
+  if (problem.empty()) integrity.begin_map();
   return problem;
 }
 
@@ -86,7 +86,7 @@ const FrameRecord& Odometry::Impl::buffer_frame(const Frame& frame) {
 }
 
 BootstrapStatus Odometry::Impl::search_concurrently(const ArrivedFrame& now) {
-  const BootstrapStatus status = concurrent->look(now, own_parts, health.newest_before());
+  const BootstrapStatus status = concurrent->look(now, ego_mask_monitor, integrity.newest_before());
   if (concurrent->is_making()) scale_of_made = scale_by_depths();
   return status;
 }
@@ -104,11 +104,12 @@ void Odometry::Impl::begin_made_map() {
   const BootstrapView& last = made.views.views.back();
   front_end.drop_map();
   state.after(made.problem.empty() ? Event::kMapMade : Event::kMapRefused, last.frame_index);
-  if (!made.problem.empty()) return;
-  const NewSegment begun = bootstrapper.begin_segment(state.segment(), made.views, health.newest_before(),
+  if (!made.problem.empty())
+    return report({last.frame_index, last.time, {}, {}}, "no map: " + to_string(made.problem));
+  const NewSegment begun = bootstrapper.begin_segment(state.segment(), made.views, integrity.newest_before(),
                                                       scale_of_made, &made.beginning);
   front_end.begin_map(begun.reference, begun.motion, last.time);
-  health.begin_map();
+  integrity.begin_map();
   record_segment({last.frame_index, last.time, {}, {}}, begun);
   frames.publish();  // the newest frame may be one of the views, or late
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The mask of what is fixed to the camera, in raw images: given as a file, found (fixed_parts.h), or both.
+// The mask of what is fixed to the camera, in raw images: given as a file, found (ego_mask_finder.h), or
+// both.
 #include <memory>
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The area of parts that are fixed to the camera, grown from the evidence of single edge pixels
-// (fixed_parts.h): pixels that lie together, form something of a size and with edges of more than one
+// (ego_mask_finder.h): pixels that lie together, form something of a size and with edges of more than one
 // direction, and what such a part encloses.
 #include <memory>
 #include <opencv2/core.hpp>

@@ -32,13 +32,13 @@ void ConcurrentBootstrap::reset() {
   if (!frames_wait()) late_.clear();
 }
 
-BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonitor& own_parts,
+BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonitor& ego_mask_monitor,
                                           const std::optional<TrustedReference>& before) {
   catches_up_ = false;
   add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
-  if (status.result && own_parts.delays_map(now.may_show_ego_part)) {
+  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part)) {
     resume();
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   }

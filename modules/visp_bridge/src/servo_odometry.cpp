@@ -45,7 +45,7 @@ void ServoOdometry::process(Frame frame) {
 }
 
 Run ServoOdometry::finish() {
-  worker_.wait_idle();
+  worker_.finish();
   return odometry_.finish();
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The weights of p_right (src/trust_table.h) hold for the doubts that they were fitted to. Doubts on a grid
-// of evidence, the memory of `Trust` and the constants in both are compared with those recorded for the
-// table, fit_of_trust.txt; tests/unit/features/fit_of_trust_test.cpp does the same for what corners measure.
+// of evidence, the memory of `MotionConfidence` and the constants in both are compared with those recorded
+// for the table, fit_of_trust.txt; tests/unit/features/fit_of_trust_test.cpp does the same for what corners
+// measure.
 #include <gtest/gtest.h>
 
 #include <cmath>

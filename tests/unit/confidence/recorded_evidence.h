@@ -40,7 +40,7 @@ struct EvidenceRow {
   std::optional<Outcome> outcome;
 };
 
-/// Passes frames through Trust and frame_status(), in time order.
+/// Passes frames through MotionConfidence and frame_status(), in time order.
 class EvidenceReplay {
  public:
   std::optional<Outcome> add(const RecordedFrame& frame);

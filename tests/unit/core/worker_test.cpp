@@ -123,15 +123,35 @@ TEST(Worker, AResultComesOrThrowsByItself) {
   EXPECT_EQ(worker.begin([] { return 8; }).get(), 8) << "the worker goes on";
 }
 
+TEST(Worker, WhatComesAfterItsEndIsDropped) {
+  Worker worker({"test", 2});
+  std::atomic<int> done{0};
+  std::atomic<bool> stop{false};
+  std::thread other([&] {
+    while (!stop) worker.submit_over_oldest([&done] { ++done; });
+  });
+  worker.submit([&done] { ++done; });
+  worker.finish();
+  const int before = done;
+  worker.submit([&done] { ++done; });
+  stop = true;
+  other.join();
+  worker.wait_idle();
+  EXPECT_EQ(done, before);
+}
+
 TEST(BoundedQueue, GivesWhatWaitsAfterItIsClosed) {
   BoundedQueue<int> queue(2);
   EXPECT_TRUE(queue.push_if_room(1));
   EXPECT_TRUE(queue.push(2));
   EXPECT_FALSE(queue.push_if_room(3));
-  EXPECT_EQ(queue.push_over_oldest(4), 1);
+  std::optional<int> oldest;
+  EXPECT_TRUE(queue.push_over_oldest(4, &oldest));
+  EXPECT_EQ(oldest, 1);
   queue.close();
   EXPECT_FALSE(queue.push(5));
   EXPECT_FALSE(queue.push_when_room(5));
+  EXPECT_FALSE(queue.push_over_oldest(5, &oldest));
   EXPECT_FALSE(queue.is_finished());
   EXPECT_EQ(queue.pop(), 2);
   EXPECT_EQ(queue.pop_within(std::chrono::seconds(1)), 4);

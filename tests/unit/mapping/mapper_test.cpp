@@ -52,7 +52,9 @@ TEST(Mapper, ReportsWhyTwoViewsMakeNoMap) {
   for (size_t v = 1; v < bootstrap.views.size(); ++v)  // every view shows another scene
     bootstrap.views[v].pyramid = test::HollowScene(70 + v).pyramid(sweep_pose(int(v)));
   Mapper mapper(Sweep::pinhole(), test::window_only(mapping_of_seven_keyframes()), {});
-  EXPECT_EQ(to_string(mapper.initialise(bootstrap)), "only 0 edge points matched in the first views");
+  const Reasons why = mapper.initialise(bootstrap);
+  ASSERT_EQ(why.size(), 1u);
+  EXPECT_EQ(why.front().kind, ReasonKind::kFewPointsMatched);
   EXPECT_EQ(mapper.next_id(), 0);
   EXPECT_TRUE(mapper.initialise(test::true_bootstrap(0, 8)).empty());  // the failure did no harm
 }

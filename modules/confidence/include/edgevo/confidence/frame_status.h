@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// From the evidence on a frame to its status, and into its record: assign_status() alone writes it there. The
-// same functions select among the candidate poses of a frame, so that the selected one is lost only if all
-// are.
+// From the evidence on a frame to its status, and into its record: assign_status() and assign_skipped() alone
+// write it there. The same functions select among the candidate poses of a frame, so that the selected one is
+// lost only if all are.
 #include <functional>
 #include <optional>
 #include <string>
@@ -47,7 +47,7 @@ struct FrameStatus {
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
 /// The same for a pose that is held while the camera stands: known from before, it needs no points in view.
 FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams params);
-/// Status of a frame that has a pose, in view of the trust in its motion: DEGRADED below kDoubtfulBelow
+/// Status of a frame that has a pose, in view of the confidence in its motion: DEGRADED below kDoubtfulBelow
 /// (core/doubtful_frame.h), or after a step outlier, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust);

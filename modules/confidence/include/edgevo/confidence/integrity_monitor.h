@@ -27,7 +27,7 @@ struct TrustedReference {
   std::shared_ptr<const Reference> reference;
 };
 
-/// Follows the health of a run; for the tracking thread. Keeps the last eight references alive.
+/// Follows the integrity of a run; for the tracking thread. Keeps the last eight references alive.
 class IntegrityMonitor {
  public:
   /// What a frame shows.

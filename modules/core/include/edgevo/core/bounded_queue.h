@@ -34,13 +34,11 @@ class BoundedQueue {
     changed_.wait(lock, [this] { return is_closed_ || items_.size() < max_size_; });
     return add(std::move(item));
   }
-  /// Adds an item; a full queue gives the oldest for it. A closed one takes nothing.
-  std::optional<T> push_over_oldest(T item) {
+  /// Adds an item; a full queue gives the oldest for it. False if it is closed.
+  bool push_over_oldest(T item, std::optional<T>* oldest) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    std::optional<T> oldest;
-    if (!is_closed_ && items_.size() >= max_size_) oldest = take();
-    add(std::move(item));
-    return oldest;
+    if (!is_closed_ && items_.size() >= max_size_) *oldest = take();
+    return add(std::move(item));
   }
 
   /// Waits for an item and takes the oldest; nullopt if the queue is closed and empty.

@@ -19,7 +19,7 @@ namespace edgevo {
 struct WorkerOptions {
   /// Of its lane in a trace; a literal.
   const char* name = "";
-  /// Pieces of work that may wait.
+  /// Pieces of work that may wait; submit() adds more.
   size_t max_waiting = 1;
   /// Otherwise each piece is done by the caller that submits it, and what it throws is thrown there.
   bool own_thread = true;
@@ -29,8 +29,9 @@ struct WorkerOptions {
   bool drops_at_end = false;
 };
 
-/// Does pieces of work one after another. A piece that throws is the last one done: what it threw is rethrown
-/// once, by the next submit...() or wait_idle(), and all work after it is dropped.
+/// Does pieces of work one after another. With a thread of its own, a piece that throws is the last one done:
+/// what it threw is rethrown once, by the next submit...(), wait_idle() or finish(), and all work after it is
+/// dropped.
 class Worker {
  public:
   /// A piece of work.
@@ -64,6 +65,8 @@ class Worker {
 
   /// Waits until all work is done.
   void wait_idle();
+  /// Does the work that waits and ends the thread; what is submitted from now on is dropped.
+  void finish();
   /// Whether wait_idle() would not wait.
   bool is_idle() const;
 
@@ -72,6 +75,7 @@ class Worker {
   template <typename Add>
   bool submit_by(Work work, Add add);
   void loop();
+  void end_thread();
   void execute(const Work& work);
   void finished_one();
   void rethrow();

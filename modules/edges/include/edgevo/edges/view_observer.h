@@ -17,7 +17,7 @@ struct ImageMasks {
   /// Where no light ever reaches the image.
   std::shared_ptr<const Plane<uint8_t>> border;
   /// On parts that are fixed to the camera.
-  std::shared_ptr<const Plane<uint8_t>> own;
+  std::shared_ptr<const Plane<uint8_t>> ego;
 };
 
 /// Follows the images of one camera while their pyramids are built (segmentation/view_masks.h).
@@ -28,8 +28,8 @@ class ViewObserver {
   virtual ImageMasks add_image(const ImageView<uint8_t>& raw) = 0;
   /// Whether add_edges() is wanted.
   virtual bool wants_edges() const = 0;
-  /// Adds the edges of that image on the coarsest level with edges, number `level`: also those under the mask
-  /// of own parts, but not those under that of the border. `correction`: that of the image.
+  /// Adds the edges of that image on the coarsest level with edges, number `level`: also those under the ego
+  /// mask, but not those under that of the border. `correction`: that of the image.
   virtual void add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
                          const ImageCorrection& correction) = 0;
 };

@@ -23,7 +23,7 @@ class MappingThread {
   MappingThread(Mapper* mapper, bool own_thread, OnUpdate on_update);
 
   /// Passes a frame to the mapper. In realtime, frames other than keyframes are skipped while the queue is
-  /// full; keyframes never are. Rethrows what the mapping thread threw: no frame is mapped after that.
+  /// full; keyframes never are. Rethrows what the mapping thread threw, once: no frame is mapped after that.
   void submit(TrackedFrame frame);
   /// Waits until all submitted frames are processed; rethrows as submit() does. Afterwards the caller may use
   /// the mapper.
@@ -43,8 +43,7 @@ class MappingThread {
  private:
   void run(const TrackedFrame& frame);
   // Publishes the reference after a frame, processed or not.
-  void finish(const TrackedFrame& frame);
-  void give_up(const TrackedFrame& frame);
+  void finish(const TrackedFrame& frame, bool has_failed);
 
   Mapper* mapper_;
   OnUpdate on_update_;

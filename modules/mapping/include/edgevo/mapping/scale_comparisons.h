@@ -5,6 +5,7 @@
 // done next to the frames in realtime; what is found applies to the frame at which it is there.
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "edgevo/core/bounded_queue.h"
@@ -65,11 +66,14 @@ class ScaleComparisons {
     double known_to;
   };
   void begin(ScaleAnswer answer, std::vector<Candidates> candidates, const ScaleOf& scale_of);
+  bool is_idle() const;
+  bool is_superseded(const ScaleAnswer& answer) const;
   void note(const ScaleAnswer& answer);
   void note_lost(const ScaleAnswer& answer);
 
   Pinhole pinhole_;
   UnresolvedScale open_;
+  std::optional<std::pair<int, double>> rescaled_from_;  // segment and unit, by the last answer
   BoundedQueue<ScaleAnswer> answers_;
   Worker worker_;  // last member: it ends before the others
 };

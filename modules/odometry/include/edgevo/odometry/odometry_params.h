@@ -23,7 +23,7 @@ struct RecoveryParams {
   void visit(ParamVisitor& v);
 };
 
-/// Witnesses of wrong poses.
+/// Cross-checks of poses.
 struct HealthParams {
   /// Follow corners next to the edges (features/feature_tracker.h).
   bool corners = true;

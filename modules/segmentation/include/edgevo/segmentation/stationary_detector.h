@@ -28,7 +28,7 @@ class StationaryDetector {
                                               const std::shared_ptr<const Reference>& reference,
                                               const SE3& T_cur_ref, const AlignmentParams& params) const;
   /// Whether the camera is known to stand with the pose T_cur_ref: it leaves most known points of the still
-  /// part where they were, and `usual_step`, a translation in the camera's axes, would not: they are near
+  /// part where they were, and `typical_step`, a translation in the camera's axes, would not: they are near
   /// enough to show that it has not been made. Cost: nothing while the view moves, else some 0.05 ms.
   bool stands(const StillCells& cells, const Pinhole& camera, const ReferenceCloud& cloud,
               const SE3& T_cur_ref, const Eigen::Vector3d& typical_step) const;

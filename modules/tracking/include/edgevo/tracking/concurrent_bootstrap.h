@@ -43,7 +43,7 @@ class ConcurrentBootstrap {
   /// once there are two views (MapLink::make_map), unless `ego_mask_monitor` delays it, and looks for what
   /// links it to `before`, the last sure view of the map before; until take_map() the caller must not use the
   /// MapLink.
-  BootstrapStatus look(const ArrivedFrame& now, EgoMaskMonitor& own_parts,
+  BootstrapStatus look(const ArrivedFrame& now, EgoMaskMonitor& ego_mask_monitor,
                        const std::optional<TrustedReference>& before);
   /// Keeps a frame that arrives while frames_wait().
   void keep(const ArrivedFrame& now) { late_.add(now); }

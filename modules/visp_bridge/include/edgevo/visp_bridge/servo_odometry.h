@@ -30,9 +30,9 @@ class ServoOdometry {
   ServoOdometry(const ServoOdometry&) = delete;
   ServoOdometry& operator=(const ServoOdometry&) = delete;
 
-  /// Adds an image without a copy: let the grabber write into share_with_visp(image), then move `image` here.
-  /// An image whose time is not after those before is skipped; after a lasting step back of the clock its
-  /// times are shifted (core/time_order.h).
+  /// From one thread. Adds an image without a copy: let the grabber write into share_with_visp(image), then
+  /// move `image` here. An image whose time is not after those before is skipped; after a lasting step back
+  /// of the clock its times are shifted (core/time_order.h).
   void push(GrayImage image, Timestamp time);
   /// Adds a copy of a gray image.
   void push(const vpImage<unsigned char>& image, Timestamp time);
