@@ -113,15 +113,18 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
 
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
-  // With images of the camera before, only a keyframe is worth new ones.
+  // With images of the camera before, only a keyframe, or the end of a doubt, is worth new ones.
   const bool is_outdated = !(tracked.pyramid->correction == calibration_.state().correction);
-  if (is_outdated && options_.own_threads && !tracked.make_keyframe && tracked.return_to < 0) return update;
+  if (is_outdated && options_.own_threads && !tracked.is_needed() && tracked.return_to < 0) return update;
   const TrackedFrame frame = corrected(with_corners(tracked, &update.times));
   const auto& known = reference_->T_keyframe_world;
   const auto reference_pose = known.find(frame.reference_id);
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to
   // help.
-  if (reference_pose == known.end()) return update;
+  if (reference_pose == known.end()) {
+    if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
+    return update;
+  }
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
   if (frame.is_in_doubt) note_doubt(frame);
   if (frame.focal_length) calibration_.note_focal_length(*frame.focal_length);
