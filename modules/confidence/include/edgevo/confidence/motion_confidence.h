@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The probability that the motion of the last ten frames is right, from witnesses that fail differently. Each
+// The probability that the motion of the last ten frames is right, from tests that fail differently. Each
 // measures one thing that speaks against the motion (ConsistencyTest), as a number from 0 (nothing) to 3 that
-// grows with the suspicion. The sum of the doubts, with weights of at least 0, goes through a table that
-// makes it a probability: more doubt never makes p_right larger. Weights and table are fitted to runs with
+// grows with the suspicion. The sum of these, with weights of at least 0, goes through a table that makes it
+// a probability: more inconsistency never makes p_right larger. Weights and table are fitted to runs with
 // ground truth by share/training/fit_trust.cpp and are in src/trust_table.h.
 //
 // "Right" is what core/motion_tolerance.h calls so: over ten frames, the translation in the scale of the
@@ -136,12 +136,13 @@ struct CalibrationKnot {
 /// Probability at a sum: linear between `count` knots of ascending sum, constant outside.
 double p_right_at(const CalibrationKnot* knots, size_t count, double sum);
 
-/// Probability of a right motion given the doubts, 0 to 1: that of their sum, at most p_right_limit().
+/// Probability of a right motion given the results of the tests, 0 to 1: that of their sum, at most
+/// p_right_limit().
 double p_right(const Inconsistencies& doubts);
-/// 0.1 where one doubt decides alone, else 1. Corners that contradict the motion by far, 1.6 times what makes
-/// it wrong beyond their standard deviation, do: where a map turns over, every other witness is content. So
-/// does a focal length that makes it wrong: nothing else sees that. And no independent witness means not
-/// healthy: without corners and without information from the image.
+/// 0.1 where one test has a veto, else 1. Corners that contradict the motion by far, 1.6 times what makes
+/// it wrong beyond their standard deviation, do: where a map turns over, every other test is content. So
+/// does a focal length that makes it wrong: nothing else sees that. And no independent cross-check is a veto:
+/// without corners and without information from the image.
 double p_right_limit(const Inconsistencies& doubts);
 
 }  // namespace edgevo
