@@ -122,7 +122,7 @@ inline MarkMask beginnings(const uint8_t* m, int width) {
 // strong ones have any. The border has no marks, so that whole rows may be looked at one after another;
 // returns where the marks end that could be looked at.
 EDGEVO_WIDE_CLONES int list_beginnings(const uint8_t* mask, int width, int size, std::vector<int>* found) {
-  int at = width;
+  int at = width + 1;  // the neighbours of the one before begin outside
   for (; at + kMarks + width + 1 <= size; at += kMarks) {
     const MarkWords words = MarkWords(beginnings(mask + at, width));
     if ((words[0] | words[1] | words[2] | words[3]) == 0) continue;
