@@ -45,8 +45,8 @@ double inconsistency_of_corner_motion(const CornerEvidence& c) {
   const double of_depth = std::isfinite(c.motion_error_depths)
                               ? limited(c.motion_error_depths / kMotionTolerance.share_of_depth)
                               : of_length;
-  // A wrong rotation breaks the epipolar constraint: where hardly a corner does, it is the witness that is
-  // wrong.
+  // A wrong rotation breaks the epipolar constraint: where hardly a corner does, it is the corners' motion
+  // that is wrong.
   constexpr double kContradicting = 0.2;
   const double credible =
       c.agreeing_share <= 1 ? std::min(1.0, (1 - c.agreeing_share) / kContradicting) : 1.0;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// One function for each witness of a wrong motion (confidence/motion_confidence.h): from a measurement to a
-// doubt, 0 to 3, that grows with the suspicion. A measurement that is unknown (NaN) is no suspicion by
-// itself; that nothing could be checked is a doubt of its own, inconsistency_without_cross_check().
+// One function for each consistency test (confidence/motion_confidence.h): from a measurement to an
+// inconsistency, 0 to 3, that grows with the suspicion. A measurement that is unknown (NaN) is no suspicion
+// by itself; that nothing could be checked is a test of its own, inconsistency_without_cross_check().
 #include <optional>
 
 #include "edgevo/core/frame_evidence.h"
 
 namespace edgevo {
 
-/// Largest value of a doubt: one witness alone does not decide by any amount.
+/// Largest inconsistency: one test alone does not decide by any amount.
 inline constexpr double kMaxInconsistency = 3;
 
 /// Difference between the motion over ten frames and that of the corners, beyond 2.5 standard deviations of
@@ -27,7 +27,7 @@ double inconsistency_of_corner_scale(const CornerEvidence& c);
 /// Share of the corners that break the epipolar constraint: 1 for a half.
 double inconsistency_of_corner_agreement(const CornerEvidence& c);
 /// 1 without corners, or if the standard deviation of their motion is a quarter of it or more; less for a
-/// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no witness of its length. 3
+/// smaller one, 0 from a tenth on. A motion that is too short to be wrong needs no check of its length. 3
 /// if the largest standard deviation of the pose is a tenth (of the depth, of a radian) as well, or unknown.
 double inconsistency_without_cross_check(const std::optional<CornerEvidence>& c, double pose_sigma);
 /// A translation that the turn over ten frames hides: rows read out one after another, a residual distortion

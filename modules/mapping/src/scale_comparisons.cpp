@@ -8,17 +8,10 @@
 #include "edgevo/core/trace.h"
 
 namespace edgevo {
-namespace {
 
-// Comparisons are few: a doubt ends every twenty frames at most. None is refused.
-constexpr size_t kUsuallyWaiting = 8;
-
-}  // namespace
-
+// None is refused, whatever waits: a doubt ends every twenty frames at most.
 ScaleComparisons::ScaleComparisons(const Pinhole& pinhole, bool own_thread)
-    : pinhole_(pinhole),
-      answers_(kUsuallyWaiting),
-      worker_({"unit of length", kUsuallyWaiting, own_thread, true, true}) {}
+    : pinhole_(pinhole), answers_(1), worker_({"unit of length", 1, own_thread, true, true}) {}
 
 void ScaleComparisons::begin(IntegrityMonitor::Integrity health, int frame_index,
                              const TrustedReference& view, const std::vector<TrustedReference>& before,

@@ -109,7 +109,7 @@ struct Odometry::Impl {
   Bootstrapper bootstrapper;
   std::unique_ptr<ConcurrentBootstrap> concurrent;  // only with OdometryOptions::on_schedule
   std::optional<double> scale_of_made;
-  bool holds = false;  // late frames, for mapping
+  bool holds = false;  // buffered frames, for mapping
   std::optional<FeatureTracker> corners;
   std::optional<FocalByCorners> focal;  // with `corners`
   NewestPose newest_pose;

@@ -14,7 +14,7 @@ void RecoveryParams::visit(ParamVisitor& v) {
 
 void HealthParams::visit(ParamVisitor& v) {
   v.boolean(kAdvanced, "corners", corners,
-            "follow some corners through the images as a witness of wrong poses; 0.4 ms a frame at 1241x376");
+            "follow some corners through the images as a cross-check of poses; 0.4 ms a frame at 1241x376");
 }
 
 void OdometryParams::visit(ParamVisitor& v) {

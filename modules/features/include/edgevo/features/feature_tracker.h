@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A witness of wrong poses: some corners that are followed through the images by themselves. The odometry's
+// A cross-check of poses: some corners that are followed through the images by themselves. The odometry's
 // edges fit their own depths; where the map turns over within some frames, poses and depths change their unit
 // together and every edge still fits. Corners have depths of their own, in a unit of their own, carried
 // from corner to corner: next to them a unit that is lost shows, and so do wrong rotations and directions.
