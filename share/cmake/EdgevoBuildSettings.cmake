@@ -28,6 +28,8 @@ if(EDGEVO_WARNINGS_AS_ERRORS)
 endif()
 if(EDGEVO_SANITIZE)
   add_compile_options(-fsanitize=${EDGEVO_SANITIZE} -fno-omit-frame-pointer)
+  # With its checks in between, GCC 12 takes members of std::regex for uninitialised.
+  add_compile_options(-Wno-maybe-uninitialized)
   if(EDGEVO_SANITIZE MATCHES undefined)
     # A check at every pointer makes Eigen's templates five times slower to compile; AddressSanitizer catches invalid pointers on access.
     add_compile_options(-fno-sanitize=null,alignment,object-size,pointer-overflow,vptr)
