@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "csv_table.h"
 #include "edgevo/core/error.h"
@@ -60,15 +61,19 @@ FrameEvidence evidence_of(const CsvTable& row) {
 void replay(const std::string& folder, TrustRun* run) {
   CsvTable row(folder + "/frames.csv", "make the corpus again");
   MotionConfidence trust;
+  MotionHistory history;
+  int segment = -1;
   for (ReportedFrame& frame : run->reported) {
     run->doubts.emplace_back();
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
     if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
-      run->doubts.back() = trust.add({evidence, frame.segment, *frame.T_world_cam}).doubts;
+      if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map();
+      history.add({*frame.T_world_cam, {}, 1, evidence.stands});
+      run->doubts.back() = trust.add({evidence, frame.segment, history.newest()}).doubts;
       frame.state = frame_status(evidence, StatusParams()).state;
     } else {
-      trust.interrupt();
+      history.interrupt();
     }
     if (evidence.adjustment) trust.add_adjustment(*evidence.adjustment);
   }

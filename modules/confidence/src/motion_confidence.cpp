@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "consistency_tests.h"
+#include "edgevo/core/angle.h"
 #include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/motion_tolerance.h"
 #include "trust_table.h"
@@ -133,36 +135,10 @@ MotionConfidence::MotionConfidence() {
   for (int i = 0; i < 3; ++i) turn_errors_.add(kUsualTurnError);
 }
 
-void MotionConfidence::begin_segment(int segment) {
-  segment_ = segment;
-  interrupt();
-  steps_.clear();  // in another unit
-  moved_.clear();
-}
-
-// NaN at the beginning of a segment, and over a gap.
-double MotionConfidence::step_of(const ConfidenceInput& frame) {
-  if (frame.segment != segment_) begin_segment(frame.segment);
-  const double step = last_centre_ ? (frame.T_map_cam.translation() - *last_centre_).norm()
-                                   : std::numeric_limits<double>::quiet_NaN();
-  last_centre_ = frame.T_map_cam.translation();
-  return step;
-}
-
-MotionConfidence::Motion MotionConfidence::motion_of(const ConfidenceInput& frame) {
-  poses_.push_back(frame.T_map_cam);
-  if (poses_.size() > kFrames + 1) poses_.pop_front();
-  const SE3 &from = poses_.front(), &to = poses_.back();
-  return {from.rotation().angularDistance(to.rotation()), (to.translation() - from.translation()).norm()};
-}
-
 FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
-  constexpr size_t kRecentSteps = 5;
   const FrameEvidence& e = frame.evidence;
-  // The smaller of the middle two: a camera that stands and moves by turns has two groups of steps, and the
-  // larger ones are not usual as long as half of all are small.
-  const double step = step_of(frame), typical_step = steps_.quantile(0.5);
-  if (!e.stands) steps_.add(step);
+  const MotionHistory::Newest& motion = frame.motion;
+  if (std::exchange(segment_, frame.segment) != frame.segment) moved_.clear();
   blurs_.add(e.edge_blur), saturated_.add(e.saturated_share);
   weak_.add(decades_of(e.pose_sigmas.back()));
   if (e.residual_px > 0) residuals_.add(e.residual_px);
@@ -174,30 +150,28 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const auto set = [&](ConsistencyTest doubt, double value) {
     trust.doubts[size_t(doubt)] = value > 0 ? value : 0;
   };
-  const Motion motion = motion_of(frame);
   turn_errors_.add(turn_error(corners, motion.turn_rad));
   set(ConsistencyTest::kMotion, inconsistency_of_corner_motion(corners));
   set(ConsistencyTest::kFocalLength,
-      inconsistency_of_focal_length(e.focal_error, e.focal_error_sigma, motion.turn_deg()));
+      inconsistency_of_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad)));
   set(ConsistencyTest::kCornerAgreement, inconsistency_of_corner_agreement(corners));
   set(ConsistencyTest::kNoCrossCheck,
       inconsistency_without_cross_check(e.corners, std::pow(10, weak_.mean())));
   set(ConsistencyTest::kTurn,
       inconsistency_of_turn(motion.turn_rad, motion.length / e.median_depth, turn_errors_.median(1)));
   if (!e.stands)
-    set(ConsistencyTest::kStep,
-        inconsistency_of_step(steps_.mean(kRecentSteps), steps_.median(), e.median_depth));
+    set(ConsistencyTest::kStep, inconsistency_of_step(motion.recent, motion.usual, e.median_depth));
   set(ConsistencyTest::kResidual, inconsistency_of_residual(residuals_.mean()));
   set(ConsistencyTest::kAdjustment, inconsistency_of_adjustment(moved_.mean()));
   set(ConsistencyTest::kStarvation, starvation_.mean());
   set(ConsistencyTest::kImage, image_.mean());
   trust.p_right = edgevo::p_right(trust.doubts);
   if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_of(largest_contribution(trust.doubts), e)};
-  if (const double times = times_likely(step, steps_.median(), e.median_depth); times > kStepGate) {
+  if (const double times = times_likely(motion.step, motion.usual, e.median_depth); times > kStepGate) {
     trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
     trust.reasons = {{ReasonKind::kStep, times}};
   }
-  const double times_usual = std::fmax(step / typical_step, frame.times_usual_live);
+  const double times_usual = std::fmax(motion.step / motion.usual_before, frame.times_usual_live);
   trust.is_step_outlier = times_usual > kStepGate;
   if (trust.is_step_outlier && trust.reasons.empty()) trust.reasons = {{ReasonKind::kStep, times_usual}};
   return trust;

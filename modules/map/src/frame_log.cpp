@@ -5,8 +5,8 @@
 
 namespace edgevo {
 
-FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log)
-    : log_(std::move(log)), cursor_(log_), run_(rectification) {
+FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history)
+    : log_(std::move(log)), history_(history), cursor_(log_), run_(rectification) {
   newest_.frame.index = -1;
 }
 
@@ -22,6 +22,7 @@ void FrameLog::publish() { append(newest_); }
 void FrameLog::append(FrameAnchored frame) {
   const auto& unit = frame.frame.evidence.unit;
   if (unit && !unit->is_linked()) unlinked_[frame.frame.index] = frame;
+  history_->report(frame.frame);
   log_->append(std::move(frame));
 }
 
@@ -66,8 +67,8 @@ std::optional<FrameRecord> FrameLog::find(int frame_index) {
   return record ? std::make_optional(*record) : std::nullopt;
 }
 
-double FrameLog::step_ratio(int frame_index, int segment, const SE3& T_cam_map) {
-  return run().step_ratio(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
+double FrameLog::reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const {
+  return history_->reported_ratio(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
 }
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {

@@ -176,26 +176,6 @@ std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
   return std::nullopt;
 }
 
-double RunBuilder::step_ratio(int frame_index, const SE3& T_world_cam) const {
-  constexpr size_t kSteps = 50, kMin = 10, kMaxFrames = 1000;
-  std::vector<double> steps;  // newest first; the first one leads to the frame
-  int index = frame_index;
-  Eigen::Vector3d position = T_world_cam.translation();
-  bool stands = false;  // in the frame that the next step leads to
-  size_t seen = 0;
-  for (auto next = position_.lower_bound(frame_index);
-       next != position_.begin() && steps.size() <= kSteps && ++seen <= kMaxFrames;) {
-    const FrameRecord& f = row((--next)->second).frame;
-    if (!f.T_world_cam_live) continue;
-    if (!stands) steps.push_back((position - f.T_world_cam_live->translation()).norm() / (index - f.index));
-    index = f.index, position = f.T_world_cam_live->translation(), stands = f.evidence.stands;
-  }
-  if (steps.size() <= kMin) return std::numeric_limits<double>::quiet_NaN();
-  const double step = steps.front();
-  steps.erase(steps.begin());
-  return step / quantile(std::move(steps), 0.5);
-}
-
 // ---- the end ----
 
 size_t RunBuilder::adopt_window() {

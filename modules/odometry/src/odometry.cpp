@@ -44,10 +44,11 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       working(rectification.target()),
       state(p.recovery.max_frames),
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
-      frames(rectification, log),
+      frames(rectification, log, &history),
       adjustments(log),
       scales(working, o.realtime),
-      front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule}),
+      front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule},
+                &history),
       map(rectification, p.edges, mapper_params(p), map_options(o), log),
       bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames) {
   front_end.set_correction(map.initial_camera().correction);
@@ -99,7 +100,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   const Timestamp time = order.take_skipped(frame, where);
   publish_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
-  confidence.interrupt();
+  history.interrupt();
   assign_skipped(state.when_skipped(), why, &record);
   frames.publish();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
@@ -120,7 +121,7 @@ void Odometry::Impl::change_reference(const Frame& frame) {
     map.correct(&front_end.builder(), newest->camera.correction);
   }
   front_end.change_reference(newest);
-  if (newest->unit != unit) rescale(newest->unit / unit);
+  if (corners && newest->unit != unit) corners->rescale(newest->unit / unit);
   if (front_end.correction() == before) return;
   forget_views();
   for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
@@ -162,14 +163,14 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   act(now.frame, state.after(event_of(status.state), now.frame.index), to_string(status.reasons));
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
-    confidence.interrupt();
+    history.interrupt();
     integrity.add_lost();
     return;
   }
   if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
   record_pose(track.result, now.record, is_replayed);
-  assign_confidence(status, now.record);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
+  assign_confidence(status, now.record);
   if (focal) tracked.focal_length = focal->error();
   watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
@@ -214,10 +215,9 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
-  const SE3& T_cam_map = *newest_pose.T_cam_map;
   const FrameConfidence found =
-      confidence.add({record->evidence, state.segment(), T_cam_map.inverse(),
-                      frames.step_ratio(record->index, state.segment(), T_cam_map)});
+      confidence.add({record->evidence, state.segment(), history.newest(),
+                      frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
   record->p_right = found.p_right;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
@@ -245,11 +245,6 @@ std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, con
   const char* what = answer.ends_doubt ? "sure again; " : "the view before the doubt is seen again; ";
   if (unit) report(now.frame, what + in_words(*unit));
   return answer.found.ended;
-}
-
-void Odometry::Impl::rescale(double scale_ratio) {
-  confidence.rescale(scale_ratio);
-  if (corners) corners->rescale(scale_ratio);
 }
 
 // ---- state and records ----

@@ -9,6 +9,7 @@
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/confidence/motion_confidence.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/motion_history.h"
 #include "edgevo/features/feature_tracker.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/map_link.h"
@@ -56,8 +57,6 @@ struct Odometry::Impl {
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
   // Of this doubt, or of an earlier one whose unit is found now; nothing if it is still not.
   std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer);
-  // The map has set its unit back.
-  void rescale(double scale_ratio);
 
   // ---- making a map ----
   void forget_views();
@@ -97,6 +96,7 @@ struct Odometry::Impl {
   OdometryState state;
   FrameOrder order;
   std::shared_ptr<MapLog> log;
+  MotionHistory history;
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;

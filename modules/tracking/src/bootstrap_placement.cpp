@@ -18,7 +18,7 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 
 void place_replayed(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
                     FrameLog* frames) {
-  const double times = frames->step_ratio(record.index, segment, T_cam_ref * reference.T_ref_world);
+  const double times = frames->reported_ratio(record.index, segment, T_cam_ref * reference.T_ref_world);
   assign_status(status_after_step({record.state, record.reasons}, times), &record);
   frames->place(std::move(record), segment, reference, T_cam_ref);
 }

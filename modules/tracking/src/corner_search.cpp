@@ -26,9 +26,9 @@ std::shared_future<PoseByCorners> CornerSearch::begin(CornerJob job) {
 
 PoseByCorners CornerSearch::search(const CornerJob& job) {
   const double start = thread_cpu_ms();
-  Track track = add_corners(
-      {*job.pyramid, *job.reference, job.motion, job.keyframes, params_, job.rows, false, &random_, false},
-      job.by_edges);
+  Track track = add_corners({*job.pyramid, *job.reference, job.motion, job.median_step, job.keyframes,
+                             params_, job.rows, false, &random_, false},
+                            job.by_edges);
   if (job.rows.is_rolling())
     for (CornerPair& c : track.corners)
       c.to = shift_ray(job.rows.cameras, job.rows.row_time_s, job.rows.expected, job.measured, c.to);

@@ -9,7 +9,7 @@
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/tracking/median_motion.h"
+#include "edgevo/tracking/median_motion_prior.h"
 
 namespace edgevo {
 namespace {
@@ -129,7 +129,7 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
 
 std::optional<MedianMotionPrior> prior_of(const TrackingTask& task) {
   if (!task.params.alignment.use_median_motion_prior) return std::nullopt;
-  return MedianMotionPrior::of(task.motion);
+  return MedianMotionPrior::of(task.motion, task.median_step);
 }
 
 // `prior` must outlive the result.
@@ -143,7 +143,7 @@ void measure_pose(const TrackingTask& task, const PoseCandidate& chosen, const S
   const PoseCandidate pose = hold_to_corners(task, chosen, *track, scorer);
   track->twist = task.motion.twist(pose.T_cur_ref);
   track->result = track_rows(task, pose, track->twist, scorer);
-  track->step_sigmas = step_sigmas(task.motion, track->result.T_cur_ref);
+  track->step_sigmas = step_sigmas(task.motion, task.median_step, track->result.T_cur_ref);
 }
 
 }  // namespace
@@ -199,7 +199,7 @@ Track zero_velocity_update(const TrackingTask& task, const SE3& T_cur_ref) {
   track.is_zero_velocity = true;
   track.twist = task.motion.twist(T_cur_ref);
   track.result = assess(task.pyramid, cloud, held, params);
-  track.step_sigmas = step_sigmas(task.motion, T_cur_ref);
+  track.step_sigmas = step_sigmas(task.motion, task.median_step, T_cur_ref);
   return track;
 }
 

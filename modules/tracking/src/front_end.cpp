@@ -13,12 +13,13 @@
 namespace edgevo {
 
 FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& params,
-                   const TrackingOptions& options)
+                   const TrackingOptions& options, MotionHistory* history)
     : params_(params),
       rectification_(rectification),
       builder_(rectification, params.edges, options.detectors),
       masks_(rectification, params.edges),
       random_(Random::derive(options.seed, 3)),
+      history_(history),
       keyframes_(rectification.target(), params.keyframe),
       coverage_(params.bootstrap_out_of_view) {
   if (options.corners_in_parallel)
@@ -53,14 +54,13 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
   if (!is_lost(classify(record.evidence, params_.status)))
     track.result.correlated_px2 = correlated_residual_.add(track.result.smooth);
   record.evidence.stands = stationary_.stands(now.still, now.pyramid->finest().pinhole, reference_->cloud,
-                                              track.result.T_cur_ref, motion_.typical_step());
+                                              track.result.T_cur_ref, history_->typical_step());
   return track;
 }
 
 TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, bool was_lost) {
-  return {*now.pyramid, scene,    motion_,
-          keyframes_,   params_,  now.rows,
-          was_lost,     &random_, corners_in_parallel_ != nullptr};
+  return {*now.pyramid, scene,    motion_,  history_->median_step(),        keyframes_, params_,
+          now.rows,     was_lost, &random_, corners_in_parallel_ != nullptr};
 }
 
 // Without what moves by itself; again, if something is found to.
@@ -99,7 +99,8 @@ void FrontEnd::update_zero_velocity(const ArrivedFrame& now, bool was_lost, Trac
 
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
 std::optional<Reason> FrontEnd::step_gate(const SE3& T_cur_ref) const {
-  const double step = motion_.step_to(T_cur_ref), most = motion_.largest_step(1 / reference_->median_idepth);
+  const double step = motion_.step_to(T_cur_ref),
+               most = history_->largest_step(1 / reference_->median_idepth);
   if (step <= most) return std::nullopt;
   return Reason{ReasonKind::kStep, kStepGate * step / most};
 }
@@ -108,13 +109,22 @@ std::optional<Reason> FrontEnd::step_gate(const SE3& T_cur_ref) const {
 // another search does without.
 std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Track& track) const {
   if (!track.wants_corners || corners_in_parallel_->is_busy()) return std::nullopt;
-  return CornerJob{now.pyramid, track.scene, motion_, keyframes_, now.rows, *track.wants_corners};
+  return CornerJob{now.pyramid, track.scene,         motion_, history_->median_step(), keyframes_,
+                   now.rows,    *track.wants_corners};
+}
+
+void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
+  const SE3& T_cur_ref = track.result.T_cur_ref;
+  const bool stands = now.record->evidence.stands;
+  history_->add({(T_cur_ref * reference_->T_ref_world).inverse(), motion_to(T_cur_ref),
+                 motion_.frames_since(), stands, track.used_median_motion});
+  motion_.follow(T_cur_ref);
+  stationary_.follow(now.still, T_cur_ref, stands);
 }
 
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
-  motion_.follow(track.result.T_cur_ref, track.used_median_motion);
-  stationary_.follow(now.still, track.result.T_cur_ref, now.record->evidence.stands);
+  follow(now, track);
   const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;
@@ -155,6 +165,7 @@ void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (reference_) {
     if (newest->unit != reference_->unit) {
       motion_.rescale(newest->unit / reference_->unit);
+      history_->rescale(newest->unit / reference_->unit);
       stationary_.rescale(newest->unit / reference_->unit);
     }
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
@@ -168,6 +179,7 @@ void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
 void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion) {
   reference_ = std::move(reference);
   motion_.restart(motion);
+  history_->begin_map();
   keyframes_.restart();
   coverage_.restart();
   bodies_.clear();

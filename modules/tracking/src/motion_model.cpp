@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "edgevo/alignment/tracker.h"
 
@@ -28,28 +27,14 @@ std::optional<Vector6d> MotionModel::expected_twist() const {
 
 Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
   if (!(seconds_since_ > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
-  const Vector6d twist = (T_cur_ref * T_last_ref_.inverse()).log() / seconds_since_;
+  const Vector6d twist = motion_to(T_cur_ref).log() / seconds_since_;
   const std::optional<Vector6d> expected = expected_twist();
   if (frames_since_ > 1 || !expected) return twist;
   return twist + 0.5 * (twist - *expected);
 }
 
 double MotionModel::step_to(const SE3& T_cur_ref) const {
-  return (T_cur_ref * T_last_ref_.inverse()).translation().norm() / std::max(frames_since_, 1);
-}
-
-double MotionModel::largest_step(double median_depth) const {
-  constexpr double kTimes = 10;
-  // A camera that stands still may start to move: its steps up to this share of the depth are small ones.
-  constexpr double kSmallShare = 0.002;
-  const double usual = steps_.median();
-  if (!std::isfinite(usual)) return std::numeric_limits<double>::infinity();
-  return kTimes * std::max({usual, steps_.mean(1), kSmallShare * median_depth});
-}
-
-Eigen::Vector3d MotionModel::typical_step() const {
-  const double usual = steps_.median();
-  return std::isfinite(usual) ? Eigen::Vector3d(usual * direction_) : Eigen::Vector3d::Zero();
+  return motion_to(T_cur_ref).translation().norm() / std::max(frames_since_, 1);
 }
 
 void MotionModel::begin_frame(Timestamp time) {
@@ -59,19 +44,9 @@ void MotionModel::begin_frame(Timestamp time) {
   seconds_since_ = known ? seconds_since_ + newest_.seconds : 0;
 }
 
-void MotionModel::follow(const SE3& T_cur_ref, bool held) {
-  const SE3 motion = T_cur_ref * T_last_ref_.inverse();
+void MotionModel::follow(const SE3& T_cur_ref) {
+  const SE3 motion = motion_to(T_cur_ref);
   const bool is_next = frames_since_ <= 1;
-  // A camera that stands at a light goes on as fast as it came.
-  constexpr double kStands = 0.1;
-  if (const double step = step_to(T_cur_ref); !(step < kStands * steps_.median())) {
-    steps_.add(step);
-    direction_ = motion.translation().normalized();
-  }
-  if (is_next)
-    median_motion_.follow(motion.log().head<3>(), held);
-  else
-    median_motion_.interrupt();
   velocity_ = is_next ? motion : SE3::exp(motion.log() / double(frames_since_));
   velocity_s_ = seconds_since_ / std::max(frames_since_, 1);
   T_last_ref_ = T_cur_ref;
@@ -83,15 +58,10 @@ void MotionModel::rescale(double scale_ratio) {
   const auto scaled = [&](const SE3& T) { return SE3(T.rotation(), scale_ratio * T.translation()); };
   T_last_ref_ = scaled(T_last_ref_);
   velocity_ = scaled(velocity_);
-  steps_.multiply(scale_ratio);
-  median_motion_ = MedianMotion();
 }
 
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
-  median_motion_ = MedianMotion();  // the unit of length is a new one
-  steps_.clear();
-  direction_.setZero();
   velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())
                                              : SE3::exp(motion->log() / double(newest_.frames));
   velocity_s_ = motion ? newest_.seconds / newest_.frames : 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The weights of p_right (src/trust_table.h) hold for the doubts that they were fitted to. Doubts on a grid
-// of evidence, the memory of `MotionConfidence` and the constants in both are compared with those recorded
-// for the table, fit_of_trust.txt; tests/unit/features/fit_of_trust_test.cpp does the same for what corners
-// measure.
+// of evidence, the memory of `MotionConfidence` and `MotionHistory`, and the constants in them are compared
+// with those recorded for the table, fit_of_trust.txt; tests/unit/features/fit_of_trust_test.cpp does the
+// same for what corners measure.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -165,6 +165,7 @@ void add_image_doubts(test::RecordedValues* values) {
 void add_memory(test::RecordedValues* values) {
   for (size_t k = 0; k < kConsistencyTests; ++k) {
     MotionConfidence trust;
+    MotionHistory history;
     Sweep found;
     SE3 T_map_cam;
     for (int i = 0; i < 280; ++i) {
@@ -179,11 +180,13 @@ void add_memory(test::RecordedValues* values) {
       AdjustmentEvidence adjustment;
       adjustment.moved = is_odd ? 2.2 : 1.3;
       if (i % 4 == 0) trust.add_adjustment(adjustment);
-      if (i == 150) trust.interrupt();
-      if (i == 170) trust.rescale(1.5);
+      if (i == 150) history.interrupt();
+      if (i == 170) history.rescale(1.5);
+      if (i == 230) history.begin_map();
       const double step = is_odd ? 0.9 : 0.5 + 0.001 * i;
       T_map_cam = T_map_cam * SE3::exp((Vector6d() << 0, 0, step, 0, 0.01, 0).finished());
-      const FrameConfidence t = trust.add({e, i < 230 ? 0 : 1, T_map_cam});
+      history.add({T_map_cam});
+      const FrameConfidence t = trust.add({e, i < 230 ? 0 : 1, history.newest()});
       if (i % 9 == 0 || (i >= 118 && i < 140)) found.push_back(t.doubts[k]);
     }
     values->add(std::string("Trust over a run, doubt ") + trust_table::kTerms[k].name, found);

@@ -43,14 +43,20 @@ class Drive {
  public:
   FrameConfidence go(const FrameEvidence& evidence, double step = kStep, int frames = 1) {
     FrameConfidence newest;
-    for (int i = 0; i < frames; ++i) newest = trust.add({evidence, segment, next(step)});
+    for (int i = 0; i < frames; ++i) newest = trust.add({evidence, segment, next(step, evidence.stands)});
     return newest;
   }
-  SE3 next(double step = kStep) {
+  MotionHistory::Newest next(double step = kStep, bool stands = false) {
     z_ += step;
-    return SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn_ += turn, Eigen::Vector3d::UnitY())), {0, 0, z_});
+    history.add(
+        {SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn_ += turn, Eigen::Vector3d::UnitY())), {0, 0, z_}),
+         {},
+         1,
+         stands});
+    return history.newest();
   }
   MotionConfidence trust;
+  MotionHistory history;
   int segment = 0;
   double turn = 0;  // radians a frame
 
@@ -197,9 +203,9 @@ TEST(MotionConfidence, IsLowerWithoutAnyCrossCheck) {
 TEST(MotionConfidence, DoesNotMeasureAStepAcrossAGapOrASegment) {
   Drive drive;
   drive.go(good_evidence(), kStep, 60);
-  drive.trust.interrupt();
+  drive.history.interrupt();
   EXPECT_NEAR(drive.go(good_evidence(), 100).doubts[size_t(ConsistencyTest::kStep)], 0, 1e-9);
-  drive.segment = 1;
+  drive.segment = 1, drive.history.begin_map();
   EXPECT_NEAR(drive.go(good_evidence(), 100).doubts[size_t(ConsistencyTest::kStep)], 0, 1e-9);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <sstream>
+#include <utility>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
@@ -176,15 +177,17 @@ bool is_same(double value, double recorded, int digits) {
 
 std::optional<Outcome> EvidenceReplay::add(const RecordedFrame& frame) {
   if (!frame.has_pose) {
-    trust_.interrupt();
+    history_.interrupt();
     return std::nullopt;
   }
-  if (frame.unit != 1) trust_.rescale(frame.unit);
+  if (frame.unit != 1) history_.rescale(frame.unit);
   AdjustmentEvidence adjustment;
   adjustment.moved = frame.moved;
   trust_.add_adjustment(adjustment);
   T_map_cam_ = T_map_cam_ * SE3::exp(frame.motion);
-  const FrameConfidence trust = trust_.add({frame.evidence, frame.segment, T_map_cam_});
+  if (std::exchange(segment_, frame.segment) != frame.segment) history_.begin_map();
+  history_.add({T_map_cam_, {}, 1, frame.evidence.stands});
+  const FrameConfidence trust = trust_.add({frame.evidence, frame.segment, history_.newest()});
   return Outcome{trust.doubts, trust.p_right,
                  frame_status(frame_status(frame.evidence, StatusParams()), trust).state};
 }

@@ -46,8 +46,10 @@ class EvidenceReplay {
   std::optional<Outcome> add(const RecordedFrame& frame);
 
  private:
+  MotionHistory history_;
   MotionConfidence trust_;
   SE3 T_map_cam_;
+  int segment_ = -1;
 };
 
 /// The frame as it is read again after it was written.

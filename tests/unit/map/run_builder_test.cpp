@@ -235,38 +235,6 @@ TEST(RunBuilder, EventsAboutWhatIsNotKnownAreIgnored) {
   EXPECT_EQ(run.frames[1].reference_keyframe, -1);
 }
 
-// A step is compared as it was reported: with those of the segment before, whatever its unit.
-TEST(RunBuilder, ComparesAStepWithThoseReportedBefore) {
-  const auto at = [](double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); };
-  RunBuilder builder(test::pinhole());
-  builder.apply(at_origin());
-  for (int i = 0; i < 10; ++i) builder.apply(frame(i, FrameAnchor{1, {}, at(i).inverse(), 0}));
-  EXPECT_TRUE(std::isnan(builder.step_ratio(10, at(12))));
-  SegmentPlaced placed = at_origin(1);
-  placed.T_world_map.scale = 20;
-  builder.apply(placed);
-  FrameAnchored newest = frame(12, FrameAnchor{2, {}, at(0), 0}, 1);
-  newest.frame.T_world_cam_live = at(15);
-  builder.apply(newest);
-  builder.apply(frame(13));  // without a pose
-  EXPECT_DOUBLE_EQ(builder.step_ratio(13, at(35)), 20);
-  EXPECT_DOUBLE_EQ(builder.step_ratio(14, at(35)), 10);     // over a gap
-  EXPECT_TRUE(std::isnan(builder.step_ratio(12, at(12))));  // placed again: its own row is none before
-}
-
-TEST(RunBuilder, ComparesAStepWithThoseBeforeAStandstill) {
-  const auto at = [](double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); };
-  RunBuilder builder(test::pinhole());
-  builder.apply(at_origin());
-  for (int i = 0; i < 100; ++i) {
-    FrameAnchored f = frame(i, FrameAnchor{1, {}, at(std::min(i, 20)).inverse(), 0});
-    f.frame.T_world_cam_live = at(std::min(i, 20) + 1e-6 * i);
-    f.frame.evidence.stands = i > 20;
-    builder.apply(f);
-  }
-  EXPECT_NEAR(builder.step_ratio(100, at(23)), 3, 1e-3);
-}
-
 TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {
   RunBuilder builder(test::pinhole());
   builder.forget_all_but(10);

@@ -7,6 +7,7 @@
 
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/motion_history.h"
 #include "edgevo/tracking/corner_search.h"
 #include "support/plane_scene.h"
 #include "support/twist.h"
@@ -34,7 +35,7 @@ class FrameTracker : public ::testing::Test {
   }
 
   Track track(const FramePyramid& pyramid, bool was_lost = false, const RowRectification& rows = {}) {
-    return track_frame({pyramid, reference, motion, keyframes, params, rows, was_lost, &random});
+    return track_frame({pyramid, reference, motion, {}, keyframes, params, rows, was_lost, &random});
   }
 
   PoseSupport support(const Track& track) const { return classify(evidence_of(track.result), params.status); }
@@ -61,7 +62,7 @@ TEST_F(FrameTracker, AHeldPoseStaysAndIsMeasured) {
   const SE3 near = SE3::exp(twist(0.004, 0, 0, 0, 0, 0)) * truth;
   const auto pyramid = scene.pyramid(truth.inverse());
   const Track held =
-      zero_velocity_update({*pyramid, reference, motion, keyframes, params, {}, false, &random}, near);
+      zero_velocity_update({*pyramid, reference, motion, {}, keyframes, params, {}, false, &random}, near);
   EXPECT_TRUE(held.is_zero_velocity);
   EXPECT_EQ(held.result.T_cur_ref.translation(), near.translation());
   EXPECT_EQ(support(held), PoseSupport::kGood);
@@ -105,7 +106,7 @@ class ABentMap : public FrameTracker {
     }
   }
   Track track(bool corners_later = false) {
-    return track_frame({*pyramid, reference, motion, often(), params, {}, false, &random, corners_later});
+    return track_frame({*pyramid, reference, motion, {}, often(), params, {}, false, &random, corners_later});
   }
   KeyframePolicy often() const {
     return KeyframePolicy(scene.pyramid(SE3())->finest().pinhole, params.keyframe);
@@ -156,7 +157,7 @@ TEST_F(ABentMap, CornersFoundLaterMakeTheSamePose) {
   CornerSearch search(params, 1);
   EXPECT_FALSE(search.is_busy());
   const std::shared_future<PoseByCorners> later = search.begin(
-      {pyramid, std::make_shared<const Reference>(reference), motion, often(), {}, *first.wants_corners});
+      {pyramid, std::make_shared<const Reference>(reference), motion, {}, often(), {}, *first.wants_corners});
   const PoseByCorners& found = later.get();
   EXPECT_FALSE(search.is_busy());
   EXPECT_EQ(found.T_cam_ref.matrix(), at_once.result.T_cur_ref.matrix());
@@ -168,7 +169,7 @@ TEST_F(ABentMap, CornersFoundLaterMakeTheSamePose) {
 
 TEST_F(FrameTracker, AFrameThatWouldBeLostDoesNotLeaveItsCornersForLater) {
   const auto black = scene.pyramid(SE3(), 0.0, 0.0);
-  const Track t = track_frame({*black, reference, motion, keyframes, params, {}, false, &random, true});
+  const Track t = track_frame({*black, reference, motion, {}, keyframes, params, {}, false, &random, true});
   EXPECT_TRUE(is_lost(support(t)));
   EXPECT_GT(t.corner_ms, 0);
   EXPECT_FALSE(t.wants_corners);
@@ -218,11 +219,14 @@ class AlongTheEdges : public ::testing::Test {
   // `is_odd`: the step does not count for the standard deviation.
   void take_step(int frame, double length, bool is_odd = false) {
     motion.begin_frame(Timestamp::from_seconds(0.1 * frame));
-    motion.follow(SE3::exp(twist(0, length, 0, 0, 0, 0)) * motion.T_last_ref(), is_odd);
+    const SE3 T_cur_last = SE3::exp(twist(0, length, 0, 0, 0, 0));
+    history.add({SE3(), T_cur_last, motion.frames_since(), false, is_odd});
+    motion.follow(T_cur_last * motion.T_last_ref());
   }
   Track track(const TrackingParams& params) {
     const KeyframePolicy keyframes(camera.pinhole(), params.keyframe);
-    return track_frame({*pyramid, reference, motion, keyframes, params, {}, false, &random});
+    return track_frame(
+        {*pyramid, reference, motion, history.median_step(), keyframes, params, {}, false, &random});
   }
   double step_of(const Track& t) const {
     return (t.result.T_cur_ref * motion.T_last_ref().inverse()).translation().y();
@@ -232,6 +236,7 @@ class AlongTheEdges : public ::testing::Test {
   std::shared_ptr<const FramePyramid> pyramid;
   Reference reference;
   MotionModel motion;
+  MotionHistory history;
   Random random{1};
 };
 

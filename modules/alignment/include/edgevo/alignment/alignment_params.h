@@ -20,7 +20,8 @@ struct AlignmentParams {
   /// Edge alignment starts from the predicted pose if that fits the edges better than the pose of the
   /// patches.
   bool verify_patch_start = true;
-  /// A pose far from the median motion of the last frames needs more support (tracking/median_motion.h).
+  /// A pose far from the median motion of the last frames needs more support
+  /// (tracking/median_motion_prior.h).
   bool use_median_motion_prior = true;
 
   /// Names, ranges and texts of the fields of the costs (core/params.h).

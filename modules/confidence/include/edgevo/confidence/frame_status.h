@@ -51,8 +51,8 @@ FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams 
 /// (core/doubtful_frame.h), or after a step outlier, with the reason for the doubt after that of the image.
 /// A label only: tracking and mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust);
-/// Status of a frame whose pose is refused, as after a step beyond MotionModel::largest_step(): LOST for that
-/// reason, if there is one, unless the image has refused it already.
+/// Status of a frame whose pose is refused, as after a step beyond MotionHistory::largest_step(): LOST for
+/// that reason, if there is one, unless the image has refused it already.
 FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason);
 /// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a step outlier,
 /// `times` the usual one (NaN: not known).

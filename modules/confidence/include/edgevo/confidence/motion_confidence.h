@@ -10,16 +10,13 @@
 // fifty before, and the rotation.
 #include <array>
 #include <cmath>
-#include <deque>
 #include <limits>
-#include <optional>
 
-#include "edgevo/confidence/recent_values.h"
-#include "edgevo/core/angle.h"
 #include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/motion_history.h"
 #include "edgevo/core/motion_tolerance.h"
 #include "edgevo/core/reason.h"
-#include "edgevo/core/se3.h"
+#include "edgevo/core/recent_values.h"
 
 namespace edgevo {
 
@@ -58,9 +55,9 @@ struct ConfidenceInput {
   const FrameEvidence& evidence;
   /// Segment of the map.
   int segment = 0;
-  /// Pose of the camera in the segment's map, in the unit of FrameEvidence::median_depth.
-  SE3 T_map_cam;
-  /// The step over the usual one as the run reports it (RunBuilder::step_ratio): a unit that is set
+  /// Its motion, in the unit of FrameEvidence::median_depth.
+  MotionHistory::Newest motion;
+  /// The step over the usual one as the run reports it (MotionHistory::reported_ratio): a unit that is set
   /// back, or that of a new segment, changes it. NaN: not known.
   double times_usual_live = std::numeric_limits<double>::quiet_NaN();
 };
@@ -92,13 +89,6 @@ class MotionConfidence {
   /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
   /// order of their keyframes.
   void add_adjustment(const AdjustmentEvidence& adjustment) { moved_.add(adjustment.moved); }
-  /// The map has set its unit back: lengths from now on over those before.
-  void rescale(double scale_ratio) {
-    steps_.multiply(scale_ratio);
-    interrupt();
-  }
-  /// A new segment, or a frame without a pose: the next step has no length.
-  void interrupt() { last_centre_.reset(), poses_.clear(); }
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
@@ -106,23 +96,12 @@ class MotionConfidence {
   /// What the map is to blame for stays longer.
   static constexpr size_t kMapFrames = 20;
   /// What is usual is the median over so many frames.
-  static constexpr size_t kUsualFrames = 200, kUsualSteps = 50;
+  static constexpr size_t kUsualFrames = 200;
   /// What a turn does to the translation is the median over so many turning frames.
   static constexpr size_t kTurnErrors = 50;
 
-  void begin_segment(int segment);
-  double step_of(const ConfidenceInput& frame);
-  // Over the last ten frames.
-  struct Motion {
-    double turn_rad = 0, length = 0;
-    double turn_deg() const { return deg(turn_rad); }
-  };
-  Motion motion_of(const ConfidenceInput& frame);
-
   int segment_ = -1;
-  std::deque<SE3> poses_;  // of the last ten frames, and the one before them
-  std::optional<Eigen::Vector3d> last_centre_;
-  RecentValues blurs_{kUsualFrames}, saturated_{kUsualFrames}, steps_{kUsualSteps};
+  RecentValues blurs_{kUsualFrames}, saturated_{kUsualFrames};
   RecentValues turn_errors_{kTurnErrors};
   RecentValues weak_{kFrames}, starvation_{kFrames}, image_{kFrames}, residuals_{kMapFrames};
   RecentValues moved_{3};

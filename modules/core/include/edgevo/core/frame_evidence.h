@@ -97,7 +97,7 @@ struct FrameEvidence {
   /// depths, rotation in radians.
   std::array<double, 6> pose_sigmas = unknown_sigmas();
   /// Largest difference, over the camera's axes, between the translation since the frame before and the
-  /// median of the last ones, in their standard deviations (tracking/median_motion.h).
+  /// median of the last ones, in their standard deviations (tracking/median_motion_prior.h).
   double step_sigmas = std::numeric_limits<double>::quiet_NaN();
 
   /// Number of points with known depth in the reference keyframe; nothing if the frame was not tracked.

@@ -8,6 +8,7 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/core/image.h"
+#include "edgevo/core/motion_history.h"
 #include "edgevo/core/records.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/map/run_builder.h"
@@ -17,8 +18,8 @@ namespace edgevo {
 /// Frames and segments of a run; for the tracking thread.
 class FrameLog {
  public:
-  /// `log`, not null, receives the events.
-  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log);
+  /// `log`, not null, receives the events, and `history`, which must outlive this object, the frames.
+  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history);
 
   /// Keeps the newest frames only: those of a long bootstrap, and of the poses before a loss.
   void forget() {
@@ -37,8 +38,8 @@ class FrameLog {
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);
-  /// RunBuilder::step_ratio() of the newest frame with the pose `T_cam_map`.
-  double step_ratio(int frame_index, int segment, const SE3& T_cam_map);
+  /// MotionHistory::reported_ratio() of a frame with the pose `T_cam_map` in a segment's map.
+  double reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const;
   /// Announces the frames of a segment again at which nothing linked the unit of length to that before: now
   /// it is.
   void constrain_scale(int segment, const RelativeScale& unit);
@@ -55,6 +56,7 @@ class FrameLog {
   FrameAnchored anchored(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
 
   std::shared_ptr<MapLog> log_;
+  MotionHistory* history_;
   MapCursor cursor_;
   RunBuilder run_;
   FrameAnchored newest_;

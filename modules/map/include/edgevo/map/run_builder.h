@@ -57,11 +57,6 @@ class RunBuilder {
   /// Pose in the segment's map of the last frame before `frame_index` that has one; nothing if that frame is
   /// of another segment.
   std::optional<SE3> pose_before(int frame_index, int segment) const;
-  /// Step to the live pose `T_world_cam` of a frame over the usual one: the smaller of the middle two of the
-  /// 50 steps before, between live poses in the world, of whatever segment, in which the camera is not known
-  /// to stand; over a gap a step is the mean of its frames. NaN unless ten are known of the last 1000 frames;
-  /// infinite or NaN after steps of 0. Cost: a look-up for each frame back to the fiftieth of them.
-  double step_ratio(int frame_index, const SE3& T_world_cam) const;
   /// From the map of a segment that has begun to the world.
   const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }
   /// Number of frames so far, forgotten ones included.

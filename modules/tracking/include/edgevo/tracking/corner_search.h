@@ -5,6 +5,7 @@
 // the pose with corners.
 #include <future>
 #include <memory>
+#include <optional>
 
 #include "edgevo/mapping/mapper.h"
 #include "edgevo/tracking/frame_tracker.h"
@@ -19,6 +20,8 @@ struct CornerJob {
   std::shared_ptr<const Reference> reference;
   /// Motion model before the frame.
   MotionModel motion;
+  /// Median step before the frame, where known.
+  std::optional<MedianMotion::Step> median_step;
   /// Keyframe policy before the frame.
   KeyframePolicy keyframes;
   /// How the rows of the frame's image were rectified.

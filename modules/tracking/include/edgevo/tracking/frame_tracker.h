@@ -9,6 +9,7 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/alignment/tracker.h"
+#include "edgevo/core/median_motion.h"
 #include "edgevo/core/random.h"
 #include "edgevo/features/corner_motion.h"
 #include "edgevo/tracking/keyframe_policy.h"
@@ -26,6 +27,8 @@ struct TrackingTask {
   const Reference& reference;
   /// Motion model before the frame.
   const MotionModel& motion;
+  /// Median step before the frame, where known.
+  std::optional<MedianMotion::Step> median_step;
   /// Keyframe policy before the frame.
   const KeyframePolicy& keyframes;
   /// Parameters of tracking.

@@ -9,6 +9,7 @@
 
 #include "edgevo/confidence/correlated_residual_mean.h"
 #include "edgevo/core/image.h"
+#include "edgevo/core/motion_history.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
@@ -56,8 +57,10 @@ struct ArrivedFrame {
 /// Edges, pose and keyframe decision of each frame; for the tracking thread.
 class FrontEnd {
  public:
-  /// Throws InputError for an unusable camera or detector.
-  FrontEnd(const Rectification& rectification, const TrackingParams& params, const TrackingOptions& options);
+  /// `history`, which must outlive this object, gets each frame whose pose is accepted. Throws InputError for
+  /// an unusable camera or detector.
+  FrontEnd(const Rectification& rectification, const TrackingParams& params, const TrackingOptions& options,
+           MotionHistory* history);
 
   /// Must be called first for each frame, also for one that is skipped.
   void begin_frame(Timestamp time) { motion_.begin_frame(time); }
@@ -67,7 +70,7 @@ class FrontEnd {
   /// Finds the pose of a frame against the reference. Writes times and evidence to its record.
   Track find_pose(const ArrivedFrame& now, bool was_lost);
   /// Motion from the last frame with a pose to one at T_cur_ref.
-  SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * motion_.T_last_ref().inverse(); }
+  SE3 motion_to(const SE3& T_cur_ref) const { return motion_.motion_to(T_cur_ref); }
   /// Why the step to a pose is not believed, whatever its support; nothing where it is.
   std::optional<Reason> step_gate(const SE3& T_cur_ref) const;
   /// Whether the map is in view (MapCoverage::look).
@@ -119,6 +122,7 @@ class FrontEnd {
   TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
   Track track_scene(const ArrivedFrame& now, bool was_lost);
   void update_zero_velocity(const ArrivedFrame& now, bool was_lost, Track* found);
+  void follow(const ArrivedFrame& now, const Track& track);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);
 
   TrackingParams params_;
@@ -128,6 +132,7 @@ class FrontEnd {
   Random random_;                                      // for corners
   std::unique_ptr<CornerSearch> corners_in_parallel_;  // only with TrackingOptions::corners_in_parallel
   MotionModel motion_;
+  MotionHistory* history_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
   MovingObjects bodies_;

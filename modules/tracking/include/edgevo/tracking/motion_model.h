@@ -5,11 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "edgevo/confidence/recent_values.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/tracking/frame_clock.h"
-#include "edgevo/tracking/median_motion.h"
 
 namespace edgevo {
 
@@ -20,15 +18,8 @@ class MotionModel {
   const SE3& T_last_ref() const { return T_last_ref_; }
   /// Last measured motion from one frame to the next, as a tangent vector.
   Vector6d velocity() const { return velocity_.log(); }
-  /// Median motion of the recent frames.
-  const MedianMotion& median_motion() const { return median_motion_; }
-  /// Largest translation a frame, unit of the map, that is still believed: ten times the usual one (the
-  /// median of the last 50 in which the camera did not stand) or the one before, whichever is larger, where
-  /// the scene lies `median_depth` away. Infinite until ten steps are known.
-  double largest_step(double median_depth) const;
-  /// Translation a frame of points in the camera's axes at the usual speed (that median), in the direction of
-  /// the last step in which the camera did not stand; 0 until ten steps are known.
-  Eigen::Vector3d typical_step() const;
+  /// Motion from the last frame with a pose to T_cur_ref.
+  SE3 motion_to(const SE3& T_cur_ref) const { return T_cur_ref * T_last_ref_.inverse(); }
   /// Translation a frame from the last frame with a pose to T_cur_ref.
   double step_to(const SE3& T_cur_ref) const;
   /// Frame intervals from the last frame with a pose to the current one: 1 if none was lost or skipped.
@@ -45,9 +36,8 @@ class MotionModel {
 
   /// Must be called first for each frame.
   void begin_frame(Timestamp time);
-  /// Adopts a frame's pose; after a gap the velocity is the mean over the gap. `held`: the median-motion
-  /// prior decided on the pose.
-  void follow(const SE3& T_cur_ref, bool held = false);
+  /// Adopts a frame's pose; after a gap the velocity is the mean over the gap.
+  void follow(const SE3& T_cur_ref);
   /// The map has set its unit back: lengths from now on over those before.
   void rescale(double scale_ratio);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
@@ -60,10 +50,7 @@ class MotionModel {
 
  private:
   SE3 T_last_ref_, velocity_;
-  MedianMotion median_motion_;
-  Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();  // of the last step, the camera not standing
-  double velocity_s_ = 0;                                // time of the motion `velocity_`; 0: not known
-  RecentValues steps_{50};                               // translations a frame, unit of the map
+  double velocity_s_ = 0;  // time of the motion `velocity_`; 0: not known
   FrameClock clock_;
   FrameClock::Step newest_;   // to the current frame
   int frames_since_ = 0;      // from the last frame with a pose to the current one

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/tracking/median_motion.h"
+#include "edgevo/tracking/median_motion_prior.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "edgevo/core/order_statistics.h"
-#include "edgevo/tracking/motion_model.h"
 #include "view_change.h"
 
 namespace edgevo {
@@ -31,46 +28,22 @@ bool is_moving(const MedianMotion::Step& step) {
 
 }  // namespace
 
-Eigen::Vector3d MedianMotion::median() const {
-  Eigen::Vector3d median;
-  for (int axis = 0; axis < 3; ++axis) {
-    std::vector<double> along;
-    for (const Eigen::Vector3d& step : steps_) along.push_back(step[axis]);
-    median[axis] = edgevo::median(std::move(along));
-  }
-  return median;
-}
-
-std::optional<MedianMotion::Step> MedianMotion::median_step() const {
-  if (steps_.size() < kSteps || seen_ < kFrames) return std::nullopt;
-  return Step{median(), square_.cwiseSqrt()};
-}
-
-void MedianMotion::follow(const Eigen::Vector3d& translation, bool held) {
-  if (steps_.size() == kSteps && !held) {
-    const Eigen::Vector3d square = (translation - median()).cwiseAbs2();
-    square_ += (square - square_) / std::min(++seen_, kFrames);
-  }
-  steps_.push_back(translation);
-  if (steps_.size() > kSteps) steps_.pop_front();
-}
-
-double step_sigmas(const MotionModel& motion, const SE3& T_cur_ref) {
-  const std::optional<MedianMotion::Step> step = motion.median_motion().median_step();
+double step_sigmas(const MotionModel& motion, const std::optional<MedianMotion::Step>& usual,
+                   const SE3& T_cur_ref) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  if (!step || motion.frames_since() > 1 || !(step->sigma.minCoeff() > 0)) return kUnknown;
-  const Eigen::Vector3d translation = (T_cur_ref * motion.T_last_ref().inverse()).log().head<3>();
-  return (translation - step->translation).cwiseAbs().cwiseQuotient(step->sigma).maxCoeff();
+  if (!usual || motion.frames_since() > 1 || !(usual->sigma.minCoeff() > 0)) return kUnknown;
+  const Eigen::Vector3d translation = motion.motion_to(T_cur_ref).log().head<3>();
+  return (translation - usual->translation).cwiseAbs().cwiseQuotient(usual->sigma).maxCoeff();
 }
 
-std::optional<MedianMotionPrior> MedianMotionPrior::of(const MotionModel& motion) {
-  const std::optional<MedianMotion::Step> step = motion.median_motion().median_step();
-  if (!step || motion.frames_since() > 1 || !is_moving(*step)) return std::nullopt;
+std::optional<MedianMotionPrior> MedianMotionPrior::of(const MotionModel& motion,
+                                                       const std::optional<MedianMotion::Step>& usual) {
+  if (!usual || motion.frames_since() > 1 || !is_moving(*usual)) return std::nullopt;
   MedianMotionPrior prior;
-  prior.step_ = *step;
+  prior.step_ = *usual;
   prior.T_last_ref_ = motion.T_last_ref();
   Vector6d xi = motion.velocity();  // its rotation is kept
-  xi.head<3>() = step->translation;
+  xi.head<3>() = usual->translation;
   prior.T_expected_ref_ = SE3::exp(xi) * prior.T_last_ref_;
   return prior;
 }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/motion_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+
+// ---- frames ----
+
+void MotionHistory::add(const Tracked& frame) {
+  add_measured(frame.T_cur_last, frame.frames, frame.held);
+  add_in_map(frame.T_map_cam, frame.stands);
+}
+
+void MotionHistory::add_measured(const SE3& T_cur_last, int frames, bool held) {
+  // A camera that stands at a light goes on as fast as it came.
+  constexpr double kStands = 0.1;
+  const double step = T_cur_last.translation().norm() / std::max(frames, 1);
+  if (!(step < kStands * measured_.median())) {
+    measured_.add(step);
+    direction_ = T_cur_last.translation().normalized();
+  }
+  if (frames <= 1)
+    median_motion_.follow(T_cur_last.log().head<3>(), held);
+  else
+    median_motion_.interrupt();
+}
+
+void MotionHistory::add_in_map(const SE3& T_map_cam, bool stands) {
+  constexpr size_t kPoses = size_t(kMotionTolerance.frames) + 1, kRecentSteps = 5;
+  newest_ = {};
+  if (!poses_.empty()) newest_.step = (T_map_cam.translation() - poses_.back().translation()).norm();
+  newest_.usual_before = in_map_.quantile(0.5);
+  if (!stands) in_map_.add(newest_.step);
+  newest_.usual = in_map_.median();
+  newest_.recent = in_map_.mean(kRecentSteps);
+  poses_.push_back(T_map_cam);
+  if (poses_.size() > kPoses) poses_.pop_front();
+  const SE3 &from = poses_.front(), &to = poses_.back();
+  newest_.turn_rad = from.rotation().angularDistance(to.rotation());
+  newest_.length = (to.translation() - from.translation()).norm();
+}
+
+void MotionHistory::report(const FrameRecord& frame) {
+  constexpr size_t kKept = 2000;  // frames: those of a long bootstrap, and the 1000 before them
+  Reported& reported = reported_[frame.index];
+  reported = {std::nullopt, frame.evidence.stands};
+  if (frame.T_world_cam_live) reported.position = frame.T_world_cam_live->translation();
+  if (reported_.size() > kKept) reported_.erase(reported_.begin());
+}
+
+void MotionHistory::rescale(double scale_ratio) {
+  measured_.multiply(scale_ratio);
+  in_map_.multiply(scale_ratio);
+  median_motion_ = MedianMotion();
+  interrupt();
+}
+
+void MotionHistory::begin_map() {
+  measured_.clear();
+  in_map_.clear();
+  direction_.setZero();
+  median_motion_ = MedianMotion();
+  interrupt();
+}
+
+// ---- what is usual ----
+
+double MotionHistory::largest_step(double median_depth) const {
+  constexpr double kTimes = 10;
+  // A camera that stands still may start to move: its steps up to this share of the depth are small ones.
+  constexpr double kSmallShare = 0.002;
+  const double usual = measured_.median();
+  if (!std::isfinite(usual)) return std::numeric_limits<double>::infinity();
+  return kTimes * std::max({usual, measured_.mean(1), kSmallShare * median_depth});
+}
+
+Eigen::Vector3d MotionHistory::typical_step() const {
+  const double usual = measured_.median();
+  return std::isfinite(usual) ? Eigen::Vector3d(usual * direction_) : Eigen::Vector3d::Zero();
+}
+
+double MotionHistory::reported_ratio(int frame_index, const SE3& T_world_cam) const {
+  constexpr size_t kMin = 10, kMaxFrames = 1000;
+  std::vector<double> steps;  // newest first; the first one leads to the frame
+  int index = frame_index;
+  Eigen::Vector3d position = T_world_cam.translation();
+  bool stands = false;  // in the frame that the next step leads to
+  size_t seen = 0;
+  for (auto next = reported_.lower_bound(frame_index);
+       next != reported_.begin() && steps.size() <= kUsualSteps && ++seen <= kMaxFrames;) {
+    const auto& [before, reported] = *--next;
+    if (!reported.position) continue;
+    if (!stands) steps.push_back((position - *reported.position).norm() / (index - before));
+    index = before, position = *reported.position, stands = reported.stands;
+  }
+  if (steps.size() <= kMin) return std::numeric_limits<double>::quiet_NaN();
+  const double step = steps.front();
+  steps.erase(steps.begin());
+  return step / quantile(std::move(steps), 0.5);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/core/motion_history.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace edgevo {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+SE3 at_z(double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); }
+
+// A camera along z; points come nearer.
+class Path {
+ public:
+  void go(double step, int frames = 1, bool stands = false) {
+    for (int i = 0; i < frames; ++i) history.add({at_z(z_ += step), at_z(-step), 1, stands});
+  }
+  MotionHistory history;
+
+ private:
+  double z_ = 0;
+};
+
+Path after_steps_of(double step, int frames) {
+  Path path;
+  path.go(step, frames);
+  return path;
+}
+
+// ---- steps as measured ----
+
+TEST(MotionHistory, TheLargestStepIsTenTimesTheUsualOne) {
+  EXPECT_EQ(after_steps_of(0.3, 5).history.largest_step(1), kInfinity) << "not known yet";
+  EXPECT_NEAR(after_steps_of(0.3, 30).history.largest_step(1), 3, 1e-9);
+}
+
+TEST(MotionHistory, AStepOverAGapIsTheMeanOfItsFrames) {
+  MotionHistory history;
+  for (int i = 0; i < 30; ++i) history.add({SE3(), at_z(-1.2), 4});
+  EXPECT_NEAR(history.largest_step(1), 3, 1e-9);
+  EXPECT_FALSE(history.median_step());
+}
+
+TEST(MotionHistory, ACameraThatStandsStillMayStartToMove) {
+  EXPECT_NEAR(after_steps_of(0, 30).history.largest_step(10), 0.2, 1e-9) << "0.02 depths";
+}
+
+TEST(MotionHistory, ACameraThatWaitedMayGoOnAsItCame) {
+  Path path = after_steps_of(0.3, 30);
+  path.go(0, 100);
+  EXPECT_NEAR(path.history.largest_step(1), 3, 1e-9);
+}
+
+TEST(MotionHistory, TheTypicalStepIsThatBeforeAStandstill) {
+  EXPECT_TRUE(after_steps_of(0.3, 5).history.typical_step().isZero()) << "not known yet";
+  Path path = after_steps_of(0.3, 30);
+  path.go(-3e-4, 30);
+  EXPECT_LT((path.history.typical_step() - Eigen::Vector3d(0, 0, -0.3)).norm(), 1e-9);
+}
+
+// ---- steps in the map ----
+
+TEST(MotionHistory, TheNewestStepIsComparedWithThoseBeforeIt) {
+  Path path = after_steps_of(0.3, 30);
+  path.go(0.9);
+  const MotionHistory::Newest& newest = path.history.newest();
+  EXPECT_NEAR(newest.step, 0.9, 1e-9);
+  EXPECT_NEAR(newest.usual_before, 0.3, 1e-9);
+  EXPECT_NEAR(newest.usual, 0.3, 1e-9);
+  EXPECT_NEAR(newest.recent, (4 * 0.3 + 0.9) / 5, 1e-9);
+  EXPECT_NEAR(newest.length, 9 * 0.3 + 0.9, 1e-9) << "of ten frames";
+  EXPECT_NEAR(newest.turn_rad, 0, 1e-9);
+}
+
+TEST(MotionHistory, ThereIsNoStepInTheMapOverAGapOrToAnotherMap) {
+  for (const bool is_new_map : {false, true}) {
+    Path path = after_steps_of(0.3, 30);
+    is_new_map ? path.history.begin_map() : path.history.interrupt();
+    path.go(100);
+    EXPECT_TRUE(std::isnan(path.history.newest().step));
+    EXPECT_EQ(std::isnan(path.history.newest().usual), is_new_map) << "in another unit";
+    EXPECT_EQ(path.history.newest().length, 0);
+  }
+}
+
+TEST(MotionHistory, AFrameThatIsKnownToStandDoesNotCount) {
+  Path path = after_steps_of(0.3, 30);
+  path.go(1e-4, 60, true);
+  EXPECT_NEAR(path.history.newest().usual, 0.3, 1e-9);
+  EXPECT_NEAR(path.history.newest().step, 1e-4, 1e-9);
+}
+
+// ---- the unit ----
+
+TEST(MotionHistory, AUnitThatIsSetBackChangesTheStepsBefore) {
+  Path path = after_steps_of(0.3, 40);
+  ASSERT_TRUE(path.history.median_step());
+  path.history.rescale(2);
+  EXPECT_NEAR(path.history.largest_step(1), 6, 1e-9);
+  EXPECT_FALSE(path.history.median_step());
+  path.go(0.6);
+  EXPECT_TRUE(std::isnan(path.history.newest().step));
+  EXPECT_NEAR(path.history.newest().usual, 0.6, 1e-9);
+}
+
+TEST(MotionHistory, ANewMapHasAnotherUnit) {
+  Path path = after_steps_of(0.3, 30);
+  path.history.begin_map();
+  EXPECT_EQ(path.history.largest_step(1), kInfinity);
+  EXPECT_TRUE(path.history.typical_step().isZero());
+}
+
+// ---- steps as reported ----
+
+FrameRecord reported(int index, std::optional<double> z, bool stands = false) {
+  FrameRecord frame;
+  frame.index = index;
+  if (z) frame.T_world_cam_live = at_z(*z);
+  frame.evidence.stands = stands;
+  return frame;
+}
+
+TEST(MotionHistory, ComparesAStepWithThoseReportedBefore) {
+  MotionHistory history;
+  for (int i = 0; i < 10; ++i) history.report(reported(i, i));
+  EXPECT_TRUE(std::isnan(history.reported_ratio(10, at_z(12))));
+  history.begin_map();
+  history.report(reported(12, 15));
+  history.report(reported(13, std::nullopt));
+  EXPECT_DOUBLE_EQ(history.reported_ratio(13, at_z(35)), 20);
+  EXPECT_DOUBLE_EQ(history.reported_ratio(14, at_z(35)), 10);     // over a gap
+  EXPECT_TRUE(std::isnan(history.reported_ratio(12, at_z(12))));  // placed again: it is not before itself
+}
+
+TEST(MotionHistory, AFrameThatIsReportedAgainIsWhereItIsThen) {
+  MotionHistory history;
+  for (int i = 0; i < 20; ++i) history.report(reported(i, std::nullopt));
+  for (int i = 19; i >= 0; --i) history.report(reported(i, i));
+  EXPECT_DOUBLE_EQ(history.reported_ratio(20, at_z(22)), 3);
+}
+
+TEST(MotionHistory, ComparesAStepWithThoseBeforeAStandstill) {
+  MotionHistory history;
+  for (int i = 0; i < 100; ++i) history.report(reported(i, std::min(i, 20) + 1e-6 * i, i > 20));
+  EXPECT_NEAR(history.reported_ratio(100, at_z(23)), 3, 1e-3);
+}
+
+TEST(MotionHistory, ForgetsWhatWasReportedLongAgo) {
+  MotionHistory history;
+  for (int i = 0; i < 3000; ++i)
+    history.report(reported(i, i < 1990 ? std::optional<double>(i) : std::nullopt));
+  EXPECT_TRUE(std::isnan(history.reported_ratio(3000, at_z(3000)))) << "a thousand frames without a pose";
+  EXPECT_DOUBLE_EQ(history.reported_ratio(1990, at_z(1990)), 1);
+  EXPECT_TRUE(std::isnan(history.reported_ratio(1005, at_z(1005))));
+}
+
+}  // namespace
+}  // namespace edgevo
