@@ -11,15 +11,6 @@
 namespace edgevo {
 namespace {
 
-// Edge pixels: an image with fewer shows nothing to follow (a bootstrap alone needs 80 corners).
-constexpr int kMinEdges = 200;
-// Points of known depth in the reference: fewer may not constrain a translation.
-constexpr int kMinKnownPoints = 200;
-// Share of the window's points in view: a pure rotation leaves 3 %, bad light 40 % and more.
-constexpr double kAwayViewShare = 0.15;
-constexpr double kExplainedShare = 0.7;       // of the points in view are matched
-constexpr double kExplainedResidualPx = 1.0;  // rms along the normal
-
 // Why a frame whose pose has this support has no pose or a weak one; empty where it is good.
 Reasons reasons_of(PoseSupport support, const FrameEvidence& evidence, const StatusParams& params) {
   switch (support) {
@@ -66,6 +57,20 @@ void StatusParams::visit(ParamVisitor& v) {
   v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
   v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
            "a direction with a larger standard deviation (share of depth, rad) is weak");
+  v.integer(kExperimental, "min_edges", min_edges, 0, 100000,
+            "an image with fewer edge pixels shows nothing to follow: a bootstrap alone needs 80 corners");
+  v.integer(
+      kExperimental, "min_known_points", min_known_points, 0, 100000,
+      "with fewer points of known depth a map may be out of view: they may not constrain a translation");
+  v.number(
+      kExperimental, "away_view_share", away_view_share, 0, 1,
+      "share of the window's points in view below which a map is out of view: a pure rotation leaves 3 %, "
+      "bad light 40 % and more");
+  v.number(
+      kExperimental, "explained_share", explained_share, 0, 1,
+      "share of the points in view that must be matched for a map that is out of view to explain a frame");
+  v.number(kExperimental, "explained_residual_px", explained_residual_px, 0, 100,
+           "largest RMS distance along the normal of these matches, pixels");
 }
 
 PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) {
@@ -100,8 +105,8 @@ FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional
   return {TrackingState::kLost, {*reason}};
 }
 
-FrameStatus status_after_step(const FrameStatus& status, double times) {
-  if (!(times > kStepGate) || status.state != TrackingState::kTracking) return status;
+FrameStatus status_after_step(const FrameStatus& status, double times, const StepGateParams& gate) {
+  if (!(times > gate.times) || status.state != TrackingState::kTracking) return status;
   return {TrackingState::kDegraded, {{ReasonKind::kStep, times}}};
 }
 
@@ -129,16 +134,17 @@ double covariance_factor(double p_right) {
   return std::min(ratio * ratio, kMax);
 }
 
-bool shows_edges(int edges) { return edges >= kMinEdges; }
+bool shows_edges(int edges, const StatusParams& params) { return edges >= params.min_edges; }
 
-bool is_out_of_view(const FrameEvidence& evidence) {
-  return evidence.known_points.value_or(0) < kMinKnownPoints && evidence.view_share < kAwayViewShare;
+bool is_out_of_view(const FrameEvidence& evidence, const StatusParams& params) {
+  return evidence.known_points.value_or(0) < params.min_known_points &&
+         evidence.view_share < params.away_view_share;
 }
 
-bool is_explained(const FrameEvidence& evidence) {
+bool is_explained(const FrameEvidence& evidence, const StatusParams& params) {
   const int visible = evidence.visible_points.value_or(0), matched = evidence.matched_points.value_or(0);
   const double matched_share = visible > 0 ? double(matched) / visible : 0.0;
-  return matched_share >= kExplainedShare && evidence.residual_px <= kExplainedResidualPx;
+  return matched_share >= params.explained_share && evidence.residual_px <= params.explained_residual_px;
 }
 
 bool SupportScorer::fits(const PoseCandidate& pose) const {

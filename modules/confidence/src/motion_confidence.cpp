@@ -14,16 +14,11 @@
 namespace edgevo {
 namespace {
 
-// p_right where one doubt decides alone.
-constexpr double kAtMostInDoubt = 0.1;
-
 static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_frame.h");
-static_assert(kAtMostInDoubt < kDoubtfulBelow, "such a frame is doubtful");
 
 // A step over the usual one, or over what is a small one for a camera that has stood still.
-double times_likely(double step, double usual, double median_depth) {
-  constexpr double kSmallShare = 0.002;
-  const double small = std::isfinite(median_depth) ? kSmallShare * median_depth : 0.0;
+double times_likely(double step, double usual, double median_depth, double small_step) {
+  const double small = std::isfinite(median_depth) ? small_step * median_depth : 0.0;
   return step / std::max(usual, small);
 }
 
@@ -37,13 +32,12 @@ double weighted_sum(const Inconsistencies& doubts) {
 }
 
 // The value of a doubt from which on it decides alone.
-double decisive(ConsistencyTest doubt) {
-  constexpr double kContradiction = 1.6;  // no right frame of the corpus on a camera that moves evenly
+double decisive(ConsistencyTest doubt, const VetoParams& veto) {
   switch (doubt) {
     case ConsistencyTest::kMotion:
-      return kContradiction;
+      return veto.motion;
     case ConsistencyTest::kFocalLength:
-      return 1;
+      return veto.focal_length;
     case ConsistencyTest::kNoCrossCheck:
       return kMaxInconsistency;
     default:
@@ -51,14 +45,14 @@ double decisive(ConsistencyTest doubt) {
   }
 }
 
-bool is_veto(ConsistencyTest doubt, const Inconsistencies& doubts) {
-  return doubts[size_t(doubt)] >= decisive(doubt);
+bool is_veto(ConsistencyTest doubt, const Inconsistencies& doubts, const VetoParams& veto) {
+  return doubts[size_t(doubt)] >= decisive(doubt, veto);
 }
 
-ConsistencyTest largest_contribution(const Inconsistencies& doubts) {
+ConsistencyTest largest_contribution(const Inconsistencies& doubts, const VetoParams& veto) {
   for (const ConsistencyTest doubt :
        {ConsistencyTest::kMotion, ConsistencyTest::kFocalLength, ConsistencyTest::kNoCrossCheck})
-    if (is_veto(doubt, doubts)) return doubt;
+    if (is_veto(doubt, doubts, veto)) return doubt;
   const auto most = std::max_element(
       trust_table::kTerms.begin(), trust_table::kTerms.end(), [&](const auto& a, const auto& b) {
         return a.weight * doubts[size_t(a.doubt)] < b.weight * doubts[size_t(b.doubt)];
@@ -117,62 +111,66 @@ double p_right_at(const CalibrationKnot* knots, size_t count, double sum) {
   return knots[count - 1].p_right;
 }
 
-double p_right_limit(const Inconsistencies& doubts) {
-  const bool is_decided = is_veto(ConsistencyTest::kMotion, doubts) ||
-                          is_veto(ConsistencyTest::kFocalLength, doubts) ||
-                          is_veto(ConsistencyTest::kNoCrossCheck, doubts);
-  return is_decided ? kAtMostInDoubt : 1.0;
+double p_right_limit(const Inconsistencies& doubts, const VetoParams& veto) {
+  const bool is_decided = is_veto(ConsistencyTest::kMotion, doubts, veto) ||
+                          is_veto(ConsistencyTest::kFocalLength, doubts, veto) ||
+                          is_veto(ConsistencyTest::kNoCrossCheck, doubts, veto);
+  return is_decided ? veto.p_right : 1.0;
 }
 
-double p_right(const Inconsistencies& doubts) {
+double p_right(const Inconsistencies& doubts, const VetoParams& veto) {
   return std::min(p_right_at(trust_table::kKnots.data(), trust_table::kKnots.size(), weighted_sum(doubts)),
-                  p_right_limit(doubts));
+                  p_right_limit(doubts, veto));
 }
 
-// Until it is measured, that of the Kinect's rolling shutter against the truth; three values, soon outvoted.
-MotionConfidence::MotionConfidence() {
-  constexpr double kUsualTurnError = 0.07;  // median depths per radian
-  for (int i = 0; i < 3; ++i) turn_errors_.add(kUsualTurnError);
+// The turn error until it is measured: three values, soon outvoted.
+MotionConfidence::MotionConfidence(const ConfidenceParams& params) : params_(params) {
+  for (int i = 0; i < 3; ++i) turn_errors_.add(params.consistency.first_turn_error);
 }
 
 FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const FrameEvidence& e = frame.evidence;
   const MotionHistory::Newest& motion = frame.motion;
+  const ConsistencyParams& tests = params_.consistency;
   if (std::exchange(segment_, frame.segment) != frame.segment) moved_.clear();
   blurs_.add(e.edge_blur), saturated_.add(e.saturated_share);
   weak_.add(decades_of(e.pose_sigmas.back()));
   if (e.residual_px > 0) residuals_.add(e.residual_px);
-  starvation_.add(inconsistency_of_starvation(e));
-  image_.add(inconsistency_of_image(e.edge_blur, blurs_.median(), e.saturated_share, saturated_.median()));
+  starvation_.add(inconsistency_of_starvation(e, tests));
+  image_.add(
+      inconsistency_of_image(e.edge_blur, blurs_.median(), e.saturated_share, saturated_.median(), tests));
 
   FrameConfidence trust;
   const CornerEvidence corners = e.corners.value_or(CornerEvidence());
   const auto set = [&](ConsistencyTest doubt, double value) {
     trust.doubts[size_t(doubt)] = value > 0 ? value : 0;
   };
-  turn_errors_.add(turn_error(corners, motion.turn_rad));
-  set(ConsistencyTest::kMotion, inconsistency_of_corner_motion(corners));
+  turn_errors_.add(turn_error(corners, motion.turn_rad, tests));
+  set(ConsistencyTest::kMotion, inconsistency_of_corner_motion(corners, tests));
   set(ConsistencyTest::kFocalLength,
-      inconsistency_of_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad)));
+      inconsistency_of_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad), tests));
   set(ConsistencyTest::kCornerAgreement, inconsistency_of_corner_agreement(corners));
   set(ConsistencyTest::kNoCrossCheck,
-      inconsistency_without_cross_check(e.corners, std::pow(10, weak_.mean())));
+      inconsistency_without_cross_check(e.corners, std::pow(10, weak_.mean()), tests));
   set(ConsistencyTest::kTurn,
       inconsistency_of_turn(motion.turn_rad, motion.length / e.median_depth, turn_errors_.median(1)));
   if (!e.stands)
-    set(ConsistencyTest::kStep, inconsistency_of_step(motion.recent, motion.usual, e.median_depth));
-  set(ConsistencyTest::kResidual, inconsistency_of_residual(residuals_.mean()));
-  set(ConsistencyTest::kAdjustment, inconsistency_of_adjustment(moved_.mean()));
+    set(ConsistencyTest::kStep,
+        inconsistency_of_step(motion.recent, motion.usual, e.median_depth, params_.step.small, tests));
+  set(ConsistencyTest::kResidual, inconsistency_of_residual(residuals_.mean(), tests));
+  set(ConsistencyTest::kAdjustment, inconsistency_of_adjustment(moved_.mean(), tests));
   set(ConsistencyTest::kStarvation, starvation_.mean());
   set(ConsistencyTest::kImage, image_.mean());
-  trust.p_right = edgevo::p_right(trust.doubts);
-  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_of(largest_contribution(trust.doubts), e)};
-  if (const double times = times_likely(motion.step, motion.usual, e.median_depth); times > kStepGate) {
-    trust.p_right = std::min(trust.p_right, kAtMostInDoubt);
+  trust.p_right = edgevo::p_right(trust.doubts, params_.veto);
+  if (trust.p_right < kDoubtfulBelow)
+    trust.reasons = {reason_of(largest_contribution(trust.doubts, params_.veto), e)};
+  if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
+      times > params_.step.times) {
+    trust.p_right = std::min(trust.p_right, params_.veto.p_right);
     trust.reasons = {{ReasonKind::kStep, times}};
   }
   const double times_usual = std::fmax(motion.step / motion.usual_before, frame.times_usual_live);
-  trust.is_step_outlier = times_usual > kStepGate;
+  trust.is_step_outlier = times_usual > params_.step.times;
   if (trust.is_step_outlier && trust.reasons.empty()) trust.reasons = {{ReasonKind::kStep, times_usual}};
   return trust;
 }

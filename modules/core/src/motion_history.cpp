@@ -71,13 +71,10 @@ void MotionHistory::begin_map() {
 
 // ---- what is usual ----
 
-double MotionHistory::largest_step(double median_depth) const {
-  constexpr double kTimes = 10;
-  // A camera that stands still may start to move: its steps up to this share of the depth are small ones.
-  constexpr double kSmallShare = 0.002;
+double MotionHistory::largest_step(double times, double small_step, double median_depth) const {
   const double usual = measured_.median();
   if (!std::isfinite(usual)) return std::numeric_limits<double>::infinity();
-  return kTimes * std::max({usual, measured_.mean(1), kSmallShare * median_depth});
+  return times * std::max({usual, measured_.mean(1), small_step * median_depth});
 }
 
 Eigen::Vector3d MotionHistory::typical_step() const {

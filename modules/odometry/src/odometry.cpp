@@ -19,9 +19,11 @@ TrackingParams tracking_params(const OdometryParams& p) {
   return {p.edges,
           p.alignment,
           p.status,
+          p.health.confidence.step,
           p.mapping.corners,
           p.keyframe,
           p.recovery.bootstrap_out_of_view,
+          p.recovery.unexplained_frames,
           p.camera.knows_rolling()};
 }
 
@@ -42,10 +44,11 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       options(o),
       camera(rectification.camera().pinhole()),
       working(rectification.target()),
-      state(p.recovery.max_frames),
+      state(p.recovery.max_frames, p.status),
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
       frames(rectification, log, &history),
       adjustments(log),
+      confidence(p.health.confidence),
       scales(working, o.realtime),
       front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule},
                 &history),
@@ -175,7 +178,8 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
   if (is_replayed) {
-    place_replayed(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref, &frames);
+    place_replayed(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref,
+                   front_end.params().step, &frames);
   } else {
     frames.publish();
     frame_published = true;

@@ -43,7 +43,7 @@ Transition transition(Phase phase, Event event) {
 
 bool OdometryState::tracks(int edges) {
   if (phase_ != Phase::kLost) return has_map();
-  return shows_edges(edges) && relocalisation_tries_++ < max_relocalisation_tries_;
+  return shows_edges(edges, params_) && relocalisation_tries_++ < max_relocalisation_tries_;
 }
 
 Action OdometryState::after(Event event, int frame_index) {
@@ -55,8 +55,9 @@ Action OdometryState::after(Event event, int frame_index) {
 }
 
 TrackingState OdometryState::without_pose(int frame_index, int edges) const {
-  return ever_tracked() && (!shows_edges(edges) || lost_at_ == frame_index) ? TrackingState::kLost
-                                                                            : TrackingState::kBootstrapping;
+  return ever_tracked() && (!shows_edges(edges, params_) || lost_at_ == frame_index)
+             ? TrackingState::kLost
+             : TrackingState::kBootstrapping;
 }
 
 TrackingState OdometryState::when_skipped() const {

@@ -75,8 +75,8 @@ Transition transition(Phase phase, Event event);
 class OdometryState {
  public:
   /// `max_relocalisation_tries`: frames with enough edges in which a relocalisation is tried after a loss.
-  explicit OdometryState(int max_relocalisation_tries)
-      : max_relocalisation_tries_(max_relocalisation_tries) {}
+  OdometryState(int max_relocalisation_tries, const StatusParams& params)
+      : max_relocalisation_tries_(max_relocalisation_tries), params_(params) {}
 
   Phase phase() const { return phase_; }
   bool has_map() const { return phase_ != Phase::kBootstrapping; }
@@ -103,6 +103,7 @@ class OdometryState {
   bool ever_tracked() const { return segment_ >= 0; }
 
   int max_relocalisation_tries_;
+  StatusParams params_;
   Phase phase_ = Phase::kBootstrapping;
   int segment_ = -1;
   int relocalisation_tries_ = 0;  // since the loss

@@ -48,7 +48,9 @@ std::string parameters_text(const std::vector<ParamDescription>& params, bool al
     return text + "\n" + std::to_string(others) + " more: edgevo help parameters --all\n";
   }
   text += parameter_section(params, kAdvanced, "measure what you change");
-  return text + parameter_section(params, kExperimental, "parts of the method that can be switched off");
+  return text +
+         parameter_section(params, kExperimental,
+                           "parts of the method that can be switched off, and thresholds of its tests");
 }
 
 }  // namespace edgevo

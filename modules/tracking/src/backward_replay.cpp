@@ -46,7 +46,7 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
     assign_status({state, {}}, &*record);
     record->covariance = reported_covariance(found, reference);
     later = std::exchange(last, found.T_cur_ref);
-    place_replayed(std::move(*record), segment, reference, found.T_cur_ref, frames);
+    place_replayed(std::move(*record), segment, reference, found.T_cur_ref, params.step, frames);
   }
 }
 

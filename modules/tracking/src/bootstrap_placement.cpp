@@ -17,9 +17,9 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 }  // namespace
 
 void place_replayed(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
-                    FrameLog* frames) {
+                    const StepGateParams& gate, FrameLog* frames) {
   const double times = frames->reported_ratio(record.index, segment, T_cam_ref * reference.T_ref_world);
-  assign_status(status_after_step({record.state, record.reasons}, times), &record);
+  assign_status(status_after_step({record.state, record.reasons}, times, gate), &record);
   frames->place(std::move(record), segment, reference, T_cam_ref);
 }
 
@@ -60,7 +60,7 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTra
         T_cam_ref = r.T_cur_ref, record->covariance = reported_covariance(r, reference);
     }
     assign_status(status_of_bootstrap_frame(status), &*record);
-    place_replayed(std::move(*record), segment, reference, T_cam_ref, frames);
+    place_replayed(std::move(*record), segment, reference, T_cam_ref, params.step, frames);
   }
 }
 

@@ -66,7 +66,7 @@ void add_corner_doubts(test::RecordedValues* values) {
   };
   const CornerEvidence length = corners_with(0.6, 0, 0), turn = corners_with(0, 6, 0),
                        scale = corners_with(0, 0, 0.3);
-  const auto motion = inconsistency_of_corner_motion;
+  const DoubtOfCorners motion = [](const CornerEvidence& c) { return inconsistency_of_corner_motion(c); };
   sweep("motion by length", motion, length, &C::motion_error, {0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.9, kNotKnown});
   sweep("motion by sigma of length", motion, length, &C::motion_sigma, {0, 0.05, 0.1, 0.15, 0.3, kNotKnown});
   sweep("motion by depths", motion, length, &C::motion_error_depths, {0, 0.005, 0.02, 0.1, kNotKnown});
@@ -136,8 +136,10 @@ void add_other_doubts(test::RecordedValues* values) {
   values->add("step by usual without a depth", along({0.1, 0.5, 1, 2, 5}, [](double usual) {
                 return inconsistency_of_step(0.8, usual, kNotKnown);
               }));
-  values->add("residual", along({0, 0.5, 0.6, 0.7, 1, 2, 20, kNotKnown}, inconsistency_of_residual));
-  values->add("adjustment", along({0, 0.5, 1, 1.5, 2, 4, kNotKnown}, inconsistency_of_adjustment));
+  values->add("residual", along({0, 0.5, 0.6, 0.7, 1, 2, 20, kNotKnown},
+                                [](double px) { return inconsistency_of_residual(px); }));
+  values->add("adjustment", along({0, 0.5, 1, 1.5, 2, 4, kNotKnown},
+                                  [](double moved) { return inconsistency_of_adjustment(moved); }));
 }
 
 void add_image_doubts(test::RecordedValues* values) {
@@ -197,7 +199,7 @@ void add_constants(test::RecordedValues* values) {
   values->add("bounds of a wrong motion, frames, share of length, share of depth, degrees",
               {double(kMotionTolerance.frames), kMotionTolerance.share_of_length,
                kMotionTolerance.share_of_depth, kMotionTolerance.rotation_deg});
-  values->add("largest doubt, times of a step outlier", {kMaxInconsistency, kStepGate});
+  values->add("largest doubt, times of a step outlier", {kMaxInconsistency, StepGateParams().times});
   Sweep deciding;
   for (size_t k = 0; k < kConsistencyTests; ++k) {
     Inconsistencies doubts{};

@@ -59,13 +59,13 @@ TEST(StateMachine, EveryPhaseIsLeftAndReached) {
 constexpr int kManyEdges = 5000, kNoEdges = 10;
 
 OdometryState tracking(int tries = 3) {
-  OdometryState s(tries);
+  OdometryState s(tries, StatusParams());
   s.after(Event::kMapMade, 10);
   return s;
 }
 
 TEST(OdometryState, BootstrapsUntilThereIsAMap) {
-  OdometryState s(3);
+  OdometryState s(3, StatusParams());
   EXPECT_FALSE(s.tracks(kManyEdges));
   EXPECT_TRUE(s.bootstraps());
   EXPECT_EQ(s.segment(), -1);

@@ -29,24 +29,24 @@ constexpr MapView kInView{1500, 0.6}, kAway{50, 0.03}, kDark{50, 0.5};
 constexpr Matches kExplained{0.9}, kUnexplained{0.5};
 
 TEST(MapCoverage, AMapInViewIsInViewWhateverTheMatches) {
-  MapCoverage coverage(true);
+  MapCoverage coverage(true, StatusParams(), 12);
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(evidence(kInView, kUnexplained)), MapInView::kYes);
 }
 
 TEST(MapCoverage, BadLightIsNoRotation) {
-  MapCoverage coverage(true);
+  MapCoverage coverage(true, StatusParams(), 12);
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(coverage.look(evidence(kDark, kUnexplained)), MapInView::kYes)
         << "few points, but they are in view";
 }
 
 TEST(MapCoverage, ARotationThatTheMapExplainsIsFollowed) {
-  MapCoverage coverage(true);
+  MapCoverage coverage(true, StatusParams(), 12);
   for (int i = 0; i < 50; ++i) EXPECT_EQ(coverage.look(evidence(kAway, kExplained)), MapInView::kUncertain);
 }
 
 TEST(MapCoverage, IsOutOfViewAfterTwelveMoreUnexplainedFrames) {
-  MapCoverage coverage(true);
+  MapCoverage coverage(true, StatusParams(), 12);
   for (int i = 0; i < 11; ++i)
     EXPECT_EQ(coverage.look(evidence(kAway, kUnexplained)), MapInView::kUncertain) << i;
   EXPECT_EQ(coverage.look(evidence(kAway, kExplained)), MapInView::kUncertain);
@@ -55,13 +55,13 @@ TEST(MapCoverage, IsOutOfViewAfterTwelveMoreUnexplainedFrames) {
 }
 
 TEST(MapCoverage, WithoutABootstrapTheMapIsNeverOutOfView) {
-  MapCoverage coverage(false);
+  MapCoverage coverage(false, StatusParams(), 12);
   for (int i = 0; i < 50; ++i)
     EXPECT_EQ(coverage.look(evidence(kAway, kUnexplained)), MapInView::kUncertain) << i;
 }
 
 TEST(MapCoverage, AMapInViewResetsTheCount) {
-  MapCoverage coverage(true);
+  MapCoverage coverage(true, StatusParams(), 12);
   for (int i = 0; i < 20; ++i) (void)coverage.look(evidence(kAway, kUnexplained));
   EXPECT_EQ(coverage.look(evidence(kInView, kUnexplained)), MapInView::kYes);
   EXPECT_EQ(coverage.look(evidence(kAway, kUnexplained)), MapInView::kUncertain);

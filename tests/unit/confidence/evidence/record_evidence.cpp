@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <exception>
 
+#include "edgevo/alignment/reference.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/simulation/relight.h"
 #include "edgevo/simulation/scene_renderer.h"

@@ -56,7 +56,7 @@ FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& tru
 FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason);
 /// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a step outlier,
 /// `times` the usual one (NaN: not known).
-FrameStatus status_after_step(const FrameStatus& status, double times);
+FrameStatus status_after_step(const FrameStatus& status, double times, const StepGateParams& gate);
 /// Status of a frame whose pose the two-view reconstruction has given: TRACKING, or DEGRADED if the map
 /// explains its image too little. `by_image`: nothing if the image is gone.
 FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image);
@@ -70,12 +70,12 @@ void assign_skipped(TrackingState state, std::string note, FrameRecord* record);
 double covariance_factor(double p_right);
 
 /// Whether an image with that many edge pixels shows something to follow.
-bool shows_edges(int edges);
+bool shows_edges(int edges, const StatusParams& params);
 /// Whether next to nothing of known depth is in view. Bad light leaves few points of known depth, too, but
 /// they are in view: a new map would see no more of them.
-bool is_out_of_view(const FrameEvidence& evidence);
+bool is_out_of_view(const FrameEvidence& evidence, const StatusParams& params);
 /// Whether all points, also those of guessed depth, lie on edges as well as in view of a map.
-bool is_explained(const FrameEvidence& evidence);
+bool is_explained(const FrameEvidence& evidence, const StatusParams& params);
 
 /// Scores the candidate poses of a frame: support by the image (alignment/pose_evidence.h) times likelihood
 /// of the motion. A pose that moved away from its prior never wins: it is a compromise that neither image nor

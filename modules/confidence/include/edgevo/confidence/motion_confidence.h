@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "edgevo/confidence/status_params.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/motion_history.h"
 #include "edgevo/core/motion_tolerance.h"
@@ -62,9 +63,6 @@ struct ConfidenceInput {
   double times_usual_live = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Step gate: a step of more than so many usual ones is an outlier, none that a camera makes.
-inline constexpr double kStepGate = 10;
-
 /// Confidence in a frame.
 struct FrameConfidence {
   /// Probability that the motion of the last ten frames is right, 0 to 1.
@@ -73,9 +71,9 @@ struct FrameConfidence {
   Inconsistencies doubts{};
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
-  /// Whether the step is longer than ten times the median of the 50 before, in the unit of the map or as the
-  /// run reports it: the frame is not TRACKING, even if it starts from a standstill, which does not make it
-  /// unlikely.
+  /// Whether the step is longer than StepGateParams::times the median of the 50 before, in the unit of the
+  /// map or as the run reports it: the frame is not TRACKING, even if it starts from a standstill, which does
+  /// not make it unlikely.
   bool is_step_outlier = false;
 };
 
@@ -83,7 +81,8 @@ struct FrameConfidence {
 /// tracking thread; deterministic. Cost: 10 us a frame.
 class MotionConfidence {
  public:
-  MotionConfidence();
+  /// Nothing is usual yet.
+  explicit MotionConfidence(const ConfidenceParams& params = {});
   /// Adds a frame with a pose, in time order.
   FrameConfidence add(const ConfidenceInput& frame);
   /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
@@ -100,6 +99,7 @@ class MotionConfidence {
   /// What a turn does to the translation is the median over so many turning frames.
   static constexpr size_t kTurnErrors = 50;
 
+  ConfidenceParams params_;
   int segment_ = -1;
   RecentValues blurs_{kUsualFrames}, saturated_{kUsualFrames};
   RecentValues turn_errors_{kTurnErrors};
@@ -117,11 +117,11 @@ double p_right_at(const CalibrationKnot* knots, size_t count, double sum);
 
 /// Probability of a right motion given the results of the tests, 0 to 1: that of their sum, at most
 /// p_right_limit().
-double p_right(const Inconsistencies& doubts);
-/// 0.1 where one test has a veto, else 1. Corners that contradict the motion by far, 1.6 times what makes
-/// it wrong beyond their standard deviation, do: where a map turns over, every other test is content. So
-/// does a focal length that makes it wrong: nothing else sees that. And no independent cross-check is a veto:
-/// without corners and without information from the image.
-double p_right_limit(const Inconsistencies& doubts);
+double p_right(const Inconsistencies& doubts, const VetoParams& veto = {});
+/// VetoParams::p_right where one test has a veto, else 1. Corners that contradict the motion by far, 1.6
+/// times what makes it wrong beyond their standard deviation, do: where a map turns over, every other test is
+/// content. So does a focal length that makes it wrong: nothing else sees that. And no independent
+/// cross-check is a veto: without corners and without information from the image.
+double p_right_limit(const Inconsistencies& doubts, const VetoParams& veto = {});
 
 }  // namespace edgevo

@@ -70,9 +70,9 @@ class MotionHistory {
   /// A new map, in another unit. What was reported stays.
   void begin_map();
 
-  /// Largest measured step that is believed, where the scene lies `median_depth` away: ten times the usual
-  /// one (the median of the last 50) or the one before, whichever is larger. Infinite until ten are known.
-  double largest_step(double median_depth) const;
+  /// Largest measured step that is believed: `times` the usual one (the median of the last 50), the one
+  /// before, or `small_step` median depths, whichever is the largest. Infinite until ten are known.
+  double largest_step(double times, double small_step, double median_depth) const;
   /// Measured translation of points in the camera's axes at the usual speed (that median), in the direction
   /// of the last step that counts; 0 until ten are known.
   Eigen::Vector3d typical_step() const;

@@ -18,6 +18,8 @@ struct RecoveryParams {
   /// Run a bootstrap next to a map that is still tracked, if the map is out of view and does not explain the
   /// images (src/map_coverage.h).
   bool bootstrap_out_of_view = true;
+  /// Frames.
+  int unexplained_frames = 12;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
@@ -27,6 +29,8 @@ struct RecoveryParams {
 struct HealthParams {
   /// Follow corners next to the edges (features/feature_tracker.h).
   bool corners = true;
+  /// When a motion is doubtful.
+  ConfidenceParams confidence;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

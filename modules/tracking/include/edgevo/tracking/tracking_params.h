@@ -16,12 +16,16 @@ struct TrackingParams {
   AlignmentParams alignment;
   /// Status of a pose.
   StatusParams status;
+  /// When a step is an outlier.
+  StepGateParams step;
   /// Motion hypotheses from corners.
   CornerParams corners;
   /// Decision on keyframes.
   KeyframeParams keyframe;
   /// Whether a map that is out of view and explains nothing counts as such (map_coverage.h).
   bool bootstrap_out_of_view = true;
+  /// Frames after which it does.
+  int unexplained_frames = 12;
   /// Whether keyframes carry the motion of their rows (SelfCalibrationParams::knows_rolling).
   bool rectify_keyframes = false;
 };
