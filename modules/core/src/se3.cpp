@@ -82,18 +82,4 @@ Eigen::Matrix4d SE3::matrix() const {
 
 double SE3::angle() const { return 2.0 * std::atan2(q_.vec().norm(), std::abs(q_.w())); }
 
-Sim3 Sim3::operator*(const Sim3& other) const {
-  return {scale * other.scale,
-          SE3(rigid.rotation() * other.rigid.rotation(), *this * other.rigid.translation())};
-}
-
-Sim3 Sim3::inverse() const {
-  const Eigen::Quaterniond qi = rigid.rotation().conjugate();
-  return {1.0 / scale, SE3(qi, -(qi * rigid.translation()) / scale)};
-}
-
-SE3 Sim3::apply(const SE3& T_b_cam) const {
-  return {rigid.rotation() * T_b_cam.rotation(), *this * T_b_cam.translation()};
-}
-
 }  // namespace edgevo

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SE(3) and Sim(3): against the matrix exponential, numeric derivatives and the group axioms.
+// SE(3): against the matrix exponential, numeric derivatives and the group axioms.
 #include "edgevo/core/se3.h"
 
 #include <gmock/gmock.h>
@@ -143,31 +143,6 @@ TEST(SE3, DetectsValuesThatAreNotFinite) {
   EXPECT_TRUE(SE3().is_finite());
   EXPECT_FALSE(SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(0, std::nan(""), 0)).is_finite());
   EXPECT_FALSE(SE3(Eigen::Quaterniond(std::nan(""), 0, 0, 1), Eigen::Vector3d::Zero()).is_finite());
-}
-
-TEST(Sim3, ComposesAndInvertsAsItsEquationSays) {
-  Random random(6);
-  for (int trial = 0; trial < 100; ++trial) {
-    const Sim3 A{std::exp(random.normal()), random_motion(random)},
-        B{std::exp(random.normal()), random_motion(random)};
-    const Eigen::Vector3d p = 10 * random_direction(random);
-    const Eigen::Vector3d direct = A.scale * (A.rigid.R() * p) + A.rigid.translation();
-    EXPECT_LT((A * p - direct).norm(), 1e-12 * (1 + direct.norm()));
-    EXPECT_LT(((A * B) * p - A * (B * p)).norm(), 1e-12 * (1 + (A * (B * p)).norm()));
-    EXPECT_LT((A.inverse() * (A * p) - p).norm(), 1e-11);
-    EXPECT_NEAR((A * A.inverse()).scale, 1.0, 1e-14);
-  }
-}
-
-TEST(Sim3, MovesACameraWithoutStretchingIt) {
-  Random random(7);
-  const Sim3 S{2.5, random_motion(random)};
-  const SE3 T_b_cam = random_motion(random), T_a_cam = S.apply(T_b_cam);
-  EXPECT_LT((T_a_cam.translation() - S * T_b_cam.translation()).norm(), 1e-13);
-  EXPECT_LT((T_a_cam.R() - S.rigid.R() * T_b_cam.R()).norm(), 1e-13);
-  // A point of the camera moves with it, its distance multiplied by the scale.
-  const Eigen::Vector3d p_cam(0.3, -0.1, 4);
-  EXPECT_LT((T_a_cam * (S.scale * p_cam) - S * (T_b_cam * p_cam)).norm(), 1e-12);
 }
 
 }  // namespace

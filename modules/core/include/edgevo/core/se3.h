@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Rigid motions SE(3) and similarities Sim(3).
+// Rigid motions SE(3). Similarities: sim3.h.
 //
 // T_a_b maps coordinates from b to a:            p_a = T_a_b p_b = R p_b + t
 // Tangent of se(3): xi = [v, w], translation part first; exp is the TRUE exponential (the translation is V(w)
@@ -70,25 +70,6 @@ class SE3 {
  private:
   Eigen::Quaterniond q_ = Eigen::Quaterniond::Identity();
   Eigen::Vector3d t_ = Eigen::Vector3d::Zero();
-};
-
-/// Similarity p_a = s R p_b + t, the gauge freedom of a monocular map. scale > 0.
-struct Sim3 {
-  /// Scale s > 0.
-  double scale = 1.0;
-  /// Rotation R and translation t.
-  SE3 rigid;
-
-  /// Transformed point s R p + t.
-  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const {
-    return scale * (rigid.rotation() * p) + rigid.translation();
-  }
-  /// Composition: first `other`, then this.
-  Sim3 operator*(const Sim3& other) const;
-  /// Inverse similarity.
-  Sim3 inverse() const;
-  /// Pose in frame a of a camera at T_b_cam, without the scale in its rotation.
-  SE3 apply(const SE3& T_b_cam) const;
 };
 
 }  // namespace edgevo

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "edgevo/core/se3.h"
+#include "edgevo/core/sim3.h"
 
 namespace edgevo {
 

@@ -18,6 +18,7 @@
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/core/sim3.h"
 #include "edgevo/core/stage_times.h"
 #include "edgevo/edges/image_motion.h"
 
