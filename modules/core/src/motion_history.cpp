@@ -54,13 +54,6 @@ void MotionHistory::report(const FrameRecord& frame) {
   if (reported_.size() > kKept) reported_.erase(reported_.begin());
 }
 
-void MotionHistory::rescale(double scale_ratio) {
-  measured_.multiply(scale_ratio);
-  in_map_.multiply(scale_ratio);
-  median_motion_ = MedianMotion();
-  interrupt();
-}
-
 void MotionHistory::begin_map() {
   measured_.clear();
   in_map_.clear();

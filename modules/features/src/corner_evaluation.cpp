@@ -32,11 +32,4 @@ void CornerEvaluation::begin_map(double median_idepth) {
   epipolar_.restart();
 }
 
-void CornerEvaluation::rescale(double scale_ratio) {
-  unit_ /= scale_ratio;
-  T_cam_odometry_ = SE3();
-  comparison_.restart_odometry(T_cam_odometry_);
-  epipolar_.restart();
-}
-
 }  // namespace edgevo

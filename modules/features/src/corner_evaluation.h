@@ -23,8 +23,6 @@ class CornerEvaluation {
   std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last);
   /// FeatureTracker::begin_map().
   void begin_map(double median_idepth);
-  /// FeatureTracker::rescale().
-  void rescale(double scale_ratio);
   /// Corners that are not to be followed any more.
   std::vector<uint32_t> take_rejected() { return chain_.take_rejected(); }
 

@@ -33,6 +33,4 @@ std::vector<FollowedCorner> FeatureTracker::followed() const { return impl_->tra
 
 void FeatureTracker::begin_map(double median_idepth) { impl_->evaluation.begin_map(median_idepth); }
 
-void FeatureTracker::rescale(double scale_ratio) { impl_->evaluation.rescale(scale_ratio); }
-
 }  // namespace edgevo

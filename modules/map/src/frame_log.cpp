@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/frame_log.h"
 
+#include <limits>
 #include <utility>
 
 namespace edgevo {
@@ -44,7 +45,7 @@ FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Referenc
   const FrameAnchor anchor{reference.keyframe_id, T_cam_ref, T_cam_ref * reference.T_ref_world,
                            reference.moves};
   record.segment = segment;
-  record.T_world_cam_live = run_.T_world_map(segment).apply(anchor.T_cam_map.inverse());
+  record.T_world_cam_live = run_.T_odom_map(segment).apply(anchor.T_cam_map.inverse());
   record.evidence.median_depth = 1 / reference.median_idepth;
   return {std::move(record), anchor};
 }
@@ -68,12 +69,40 @@ std::optional<FrameRecord> FrameLog::find(int frame_index) {
 }
 
 double FrameLog::reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const {
-  return history_->reported_ratio(frame_index, run_.T_world_map(segment).apply(T_cam_map.inverse()));
+  return history_->reported_ratio(frame_index, run_.T_odom_map(segment).apply(T_cam_map.inverse()));
 }
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {
   log_->append(placed);
   run();
+}
+
+void FrameLog::begin_epoch(const EpochBegan& began) {
+  log_->append(began);
+  run();
+}
+
+void FrameLog::add_constraint(const Constraint& constraint) {
+  log_->append(ConstraintAdded{constraints_++, constraint});
+  run();
+}
+
+void FrameLog::place_epochs(int segment) {
+  // Of the newest frame; a replayed one is in the run already.
+  const bool is_newest = newest_.anchor && newest_.frame.segment == segment;
+  const std::optional<SE3> T_cam_map =
+      is_newest ? newest_.anchor->T_cam_map : run().pose_before(std::numeric_limits<int>::max(), segment);
+  EpochsPlaced placed = run().follow_epochs(segment, T_cam_map.value_or(SE3()).inverse().translation());
+  placed_.epochs = placed.epochs;
+  world_ = {placed.T_world_odom, world_.changes + 1,
+            placed_.find(segment, std::numeric_limits<int>::max())->scale_sigma};
+  log_->append(std::move(placed));
+  run();
+}
+
+double FrameLog::scale_of(int segment, int keyframe_id) const {
+  const EpochPlace* epoch = placed_.find(segment, keyframe_id);
+  return epoch ? epoch->T_world_map.scale : run_.T_odom_map(segment).scale;
 }
 
 RunBuilder& FrameLog::run() {

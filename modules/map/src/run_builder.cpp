@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -29,6 +30,10 @@ std::string in_words(SegmentPlaced::Method method) {
       return "views of both maps";
   }
   return {};
+}
+
+KeyframeInMap in_map(const WindowAdjusted::Active& k) {
+  return {k.id, k.keyframe.segment, k.keyframe.frame_index, k.keyframe.T_world_cam};
 }
 
 void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
@@ -79,20 +84,32 @@ void RunBuilder::apply(const MapEvent& event) {
 }
 
 void RunBuilder::handle(const SegmentPlaced& e) {
-  if (!is_known(e.segment)) T_world_map_.resize(size_t(e.segment) + 1);
-  T_world_map_[size_t(e.segment)] = e.T_world_map;
-  segments_.resize(T_world_map_.size());
+  if (!is_known(e.segment)) {
+    epochs_.begin_segment(e, T_odom_map_.empty() ? Sim3() : T_odom_map_.back());
+    T_odom_map_.resize(size_t(e.segment) + 1);
+  }
+  T_odom_map_[size_t(e.segment)] = e.T_world_map;
+  segments_.resize(T_odom_map_.size());
   segments_[size_t(e.segment)] = {in_words(e.method), e.scale_sigma};
+}
+
+void RunBuilder::handle(const EpochsPlaced& e) {
+  if (!e.epochs.empty() && is_known(e.segment)) T_odom_map_[size_t(e.segment)] = e.T_odom_map;
 }
 
 void RunBuilder::handle(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
-  if (is_known(keyframe->segment) && !forgets()) keyframes_[id].keyframe = std::move(keyframe);
+  if (!is_known(keyframe->segment)) return;
+  places_[id] = {id, keyframe->segment, keyframe->frame_index, keyframe->T_world_cam};
+  if (!forgets()) keyframes_[id].keyframe = std::move(keyframe);
 }
 
 void RunBuilder::handle(const MapMoved& e) {
   ++moves_;
+  for (const KeyframeMove& move : e.keyframes)
+    if (const auto place = places_.find(move.id); place != places_.end())
+      place->second.T_map_cam = e.T_cam_map(move).inverse();
   if (forgets()) return;
   const double image_ratio = e.lens ? (1 + e.lens->before.focal) / (1 + e.lens->now.focal) : 1;
   for (const KeyframeMove& move : e.keyframes) {
@@ -126,10 +143,69 @@ void RunBuilder::handle(const FrameAnchored& e) {
   changed.frame = e.frame;
   changed.anchor = e.anchor;
   while (forgets() && rows_.size() > most_rows_) {
+    forget_places_before(rows_.front().frame.index);
     position_.erase(rows_.front().frame.index);
     rows_.pop_front();
     ++forgotten_;
   }
+}
+
+// But those that constraints refer to.
+void RunBuilder::forget_places_before(int frame_index) {
+  for (auto place = places_.begin(); place != places_.end() && place->second.frame_index < frame_index;)
+    place = epochs_.refers_to(place->first) ? std::next(place) : places_.erase(place);
+}
+
+// ---- epochs ----
+
+std::optional<KeyframeInMap> RunBuilder::find_keyframe(int id) const {
+  if (const auto known = places_.find(id); known != places_.end()) return known->second;
+  for (const WindowAdjusted::Active& k : active_keyframes())
+    if (k.id == id) return in_map(k);
+  return std::nullopt;
+}
+
+std::vector<KeyframeInMap> RunBuilder::find_keyframes(int segment, int first, int last) const {
+  std::map<int, KeyframeInMap> found;
+  for (auto k = places_.lower_bound(first); k != places_.end() && k->first <= last; ++k)
+    if (k->second.segment == segment) found.insert(*k);
+  for (const WindowAdjusted::Active& k : active_keyframes())
+    if (k.id >= first && k.id <= last && k.keyframe.segment == segment) found.emplace(k.id, in_map(k));
+  std::vector<KeyframeInMap> keyframes;
+  for (const auto& [id, keyframe] : found) keyframes.push_back(keyframe);
+  return keyframes;
+}
+
+const std::vector<WindowAdjusted::Active>& RunBuilder::active_keyframes() const {
+  static const std::vector<WindowAdjusted::Active> none;
+  return window_.keyframes ? *window_.keyframes : none;
+}
+
+double RunBuilder::doubt_between(int frame, int later_frame) const {
+  double doubt = 0;
+  for (auto next = position_.upper_bound(frame); next != position_.end() && next->first <= later_frame;
+       ++next) {
+    const double p_right = row(next->second).frame.p_right;
+    doubt += std::isfinite(p_right) ? 1 - p_right : 1;
+  }
+  return doubt;
+}
+
+PlacedEpochs RunBuilder::place_epochs() const {
+  return epochs_.solve(
+      {[this](int id) { return find_keyframe(id); },
+       [this](int segment, int first, int last) { return find_keyframes(segment, first, last); },
+       [this](int frame, int later_frame) { return doubt_between(frame, later_frame); }});
+}
+
+// T_odom_map' p = s' R p + t'  with the scale s' that was found, and t' such that the newest pose stays.
+EpochsPlaced RunBuilder::follow_epochs(int segment, const Eigen::Vector3d& newest_position) const {
+  PlacedEpochs placed = place_epochs();
+  const Sim3 T_world_map = placed.find(segment, std::numeric_limits<int>::max())->T_world_map;
+  const Sim3& before = T_odom_map(segment);
+  Sim3 T_odom_map{T_world_map.scale, SE3(before.rigid.rotation(), Eigen::Vector3d::Zero())};
+  T_odom_map.rigid = SE3(before.rigid.rotation(), before * newest_position - T_odom_map * newest_position);
+  return {std::move(placed.epochs), segment, T_odom_map, (T_world_map * T_odom_map.inverse()).rigid};
 }
 
 // ---- the run so far ----
@@ -211,7 +287,7 @@ void RunBuilder::anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& k
 }
 
 // Computes the final pose of a frame from that of its keyframe.
-void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
+void RunBuilder::finish_row(const PlacedEpochs& placed, const std::map<int, int>& position_of_keyframe,
                             const std::vector<KeyframeRecord>& keyframes, Row* row) const {
   FrameRecord& frame = row->frame;
   const StageTimes& times = row->mapping.times;
@@ -220,7 +296,7 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
   if (!row->anchor || !is_known(frame.segment)) return;
   const FrameAnchor& anchor = *row->anchor;
   const Change change = changes_since(anchor.keyframe_id, anchor.moves);
-  const double length = T_world_map(frame.segment).scale * change.scale_ratio;
+  const double length = placed.T_world_map(frame.segment, anchor.keyframe_id).scale * change.scale_ratio;
   multiply_lengths(length, &frame);
   const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
   if (keyframe == position_of_keyframe.end()) {
@@ -235,23 +311,56 @@ void RunBuilder::finish_row(const std::map<int, int>& position_of_keyframe,
   frame.T_world_cam = keyframes[size_t(keyframe->second)].T_world_cam * T_ref_cam_scaled;
 }
 
+std::vector<EpochRecord> RunBuilder::epoch_records(const PlacedEpochs& placed) const {
+  std::map<const EpochPlace*, EpochRecord> found;
+  for (const Row& row : rows_) {
+    if (!row.anchor || !is_known(row.frame.segment)) continue;
+    const EpochPlace* place = placed.find(row.frame.segment, row.anchor->keyframe_id);
+    const int frame = row.frame.index;
+    EpochRecord& record = found
+                              .try_emplace(place, EpochRecord{place->segment, place->epoch, frame, frame,
+                                                              place->T_world_map.scale, place->scale_sigma})
+                              .first->second;
+    record.first_frame = std::min(record.first_frame, frame);
+    record.last_frame = std::max(record.last_frame, frame);
+  }
+  std::vector<EpochRecord> records;
+  for (const EpochPlace& place : placed.epochs)
+    if (const auto known = found.find(&place); known != found.end()) records.push_back(known->second);
+  return records;
+}
+
+std::vector<ConstraintRecord> RunBuilder::constraint_records(const PlacedEpochs& placed) const {
+  std::vector<ConstraintRecord> records;
+  for (const auto& [id, c] : epochs_.constraints()) {
+    const auto from = find_keyframe(c.from.number()), to = find_keyframe(c.to.number());
+    if (!from || !to) continue;
+    records.push_back({to_string(c.kind), from->frame_index, to->frame_index, c.T_from_to.scale,
+                       std::sqrt(c.covariance(6, 6)), !placed.is_unused(id)});
+  }
+  return records;
+}
+
 Run RunBuilder::finish() {
+  const PlacedEpochs placed = place_epochs();
   Run run;
   run.pinhole = rectification_.target();
   run.camera = camera_;
   run.segments = segments_;
+  run.epochs = epoch_records(placed);
+  run.constraints = constraint_records(placed);
   std::map<int, int> position_of_keyframe;  // in run.keyframes
   for (auto& [id, entry] : keyframes_) {
     KeyframeRecord keyframe = *entry.keyframe;
     keyframe.lines = std::move(entry.lines);
     entry = {};
-    move_to_world(T_world_map(keyframe.segment), &keyframe);
+    move_to_world(placed.T_world_map(keyframe.segment, id), &keyframe);
     position_of_keyframe[id] = int(run.keyframes.size());
     anchor_to_own_keyframe(id, keyframe);
     run.keyframes.push_back(std::move(keyframe));
   }
   for (Row& row : rows_) {
-    finish_row(position_of_keyframe, run.keyframes, &row);
+    finish_row(placed, position_of_keyframe, run.keyframes, &row);
     run.frames.push_back(std::move(row.frame));
   }
   if (moves_ > 0 && !forgets()) move_first_to_origin(&run);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/segment_join.h"
 
+#include <cmath>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/motion_tolerance.h"
+
 namespace edgevo {
 namespace {
 
@@ -27,6 +32,8 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   using Method = SegmentPlaced::Method;
   // Standard deviations of a logarithm. In two seconds a car brakes to half its speed.
   constexpr double kOfSpeed = 0.5, kOfDepths = 0.3, kOfNothing = 1;
+  // Of the direction, and what a car or a hand turns by in a second.
+  constexpr double kOfDirection = rad(3), kTurnPerSecond = rad(20);
   SegmentPlaced join;
   join.segment = segment;
   if (previous.size() < 2) return join;
@@ -36,6 +43,8 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   if (sure.size() >= 2 && velocity.norm() > kStill) velocity *= velocity_of(sure).norm() / velocity.norm();
   const double gap = seconds_between(newest.time, beginning.first);
   join.T_world_map.rigid = SE3(newest.T_world_cam.rotation(), here + gap * velocity);
+  join.rotation_sigma = kOfDirection + kTurnPerSecond * gap;
+  join.position_sigma = kOfSpeed * gap * velocity.norm();
   const double new_speed = speed_of(beginning);
   if (scale) {
     join.method = Method::kDepthRatio;
@@ -50,6 +59,21 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
     join.scale_sigma = kOfNothing;
   }
   return join;
+}
+
+Constraint constraint_of(const SegmentLink& link, const Reference& a, const Reference& b) {
+  // Of a motion from the features of two views: chosen, several times what such motions are off by in drives.
+  constexpr double kRotation = rad(1), kShareOfLength = 0.1;
+  const SE3 T_a_b = link.T_b_a.inverse();
+  const double position = std::hypot(kShareOfLength * T_a_b.translation().norm(),
+                                     kMotionTolerance.share_of_depth / a.median_idepth);
+  Constraint c;
+  c.from = NodeId::keyframe(a.keyframe_id), c.to = NodeId::keyframe(b.keyframe_id);
+  c.T_from_to = {link.scale, T_a_b};
+  c.kind = ConstraintKind::kFeatures;
+  c.covariance.diagonal() << Eigen::Vector3d::Constant(position * position),
+      Eigen::Vector3d::Constant(kRotation * kRotation), link.sigma * link.sigma;
+  return c;
 }
 
 SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,

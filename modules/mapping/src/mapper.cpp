@@ -52,7 +52,6 @@ Reasons Mapper::initialise(const BootstrapResult& bootstrap) {
   const TraceScope traced("first window");
   window_ = Window(map_.get(), rectification_, params_.window, association_);
   tracking_check_ = {};
-  unit_ = 1;
   add_first_keyframes(bootstrap);
   filter_first_depths(bootstrap);
   smooth_depths();
@@ -122,7 +121,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   // The frame's reference may have left the window meanwhile (two threads): such a frame comes too late to
   // help.
   if (reference_pose == known.end()) {
-    if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
+    if (frame.confirms_map) confirm();
     return update;
   }
   const SE3 T_cam_world = frame.T_cam_ref * reference_pose->second;
@@ -136,7 +135,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
     return_to(frame.return_to, &update.times);
   else
     correct_between_keyframes(&update.times);
-  if (frame.doubt_ended) end_doubt(*frame.doubt_ended);
+  if (frame.confirms_map) confirm();
   return update;
 }
 
@@ -356,7 +355,6 @@ void Mapper::publish(const Keyframe& keyframe) {
   reference->wanted_points = window_.points_wanted();
   reference->view_share = window_.view_share(keyframe);
   reference->median_idepth = seen_idepths_.median;
-  reference->unit = unit_;
   reference->error_factor = tracking_check_.error_factor();
   for (const Keyframe& k : window_.keyframes()) reference->T_keyframe_world[k.id] = k.T_cam_world;
   reference_ = std::move(reference);

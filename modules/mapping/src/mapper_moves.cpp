@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What moves the map of Mapper as a whole: self-calibration, other producers of moves, and the end of a
-// doubt.
+// What moves the map of Mapper as a whole: self-calibration, and other producers of moves; and doubt.
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,7 +8,6 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/mapping/mapper.h"
 #include "rebuilt_images.h"
-#include "unit_move.h"
 
 namespace edgevo {
 
@@ -114,22 +112,8 @@ void Mapper::note_doubt(const TrackedFrame& frame) {
 }
 
 // Keyframes that have left the window meanwhile stay doubtful.
-void Mapper::end_doubt(const DoubtEnded& ended) {
-  if (!ended.is_evaluated) return;
-  if (ended.scale_ratio != 1) set_unit_back(ended);
+void Mapper::confirm() {
   for (Keyframe& k : window_.keyframes()) k.is_doubtful = false;
-}
-
-// All that came after the last sure keyframe was measured in another unit. Nothing jumps for tracking: the
-// newest keyframe stays, and the sure ones move.
-void Mapper::set_unit_back(const DoubtEnded& ended) {
-  move_map(move_of_unit(*map_, ended.last_trusted_keyframe, ended.scale_ratio));
-  // The prior knows lengths of the unit that is gone.
-  window_.fix_bootstrap_scale();
-  seen_idepths_.median /= ended.scale_ratio;
-  seen_idepths_.nearest /= ended.scale_ratio;
-  unit_ *= ended.scale_ratio;
-  publish_again();
 }
 
 // The reference after a move of the map.

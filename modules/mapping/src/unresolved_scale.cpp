@@ -10,8 +10,8 @@ namespace edgevo {
 
 namespace {
 
-// Whether a comparison that is certain has found nothing to set back: the unit of a young map moves on after
-// the first one.
+// Whether a comparison that is certain has found what was known: the unit of a young map moves on after the
+// first one.
 bool is_resolved(const RelativeScale& unit) {
   return unit.sigma <= kUnitKnown && std::abs(std::log(unit.ratio)) <= kUnitKnown;
 }
@@ -24,7 +24,7 @@ bool UnresolvedScale::is_about(const std::vector<TrustedReference>& before) cons
 
 void UnresolvedScale::note(int frame_index, const std::vector<TrustedReference>& before,
                            const TrustedReference& view, const RelativeScale& unit) {
-  // One map is compared until something links it: it has kept its unit, and is no young one.
+  // One map is compared until something links it: it is no young one.
   const bool is_one_map = before.front().segment == view.segment;
   if (unit.is_linked() && (is_one_map || is_resolved(unit))) {
     // Known in the unit of `before`, which may itself be unknown in that of views still further back.
@@ -32,9 +32,6 @@ void UnresolvedScale::note(int frame_index, const std::vector<TrustedReference>&
     return;
   }
   if (!is_open()) before_ = before, since_ = frame_index;
-  sigma_ = sigma(view.segment);
-  segment_ = view.segment;
-  if (unit.is_linked() && is_about(before)) sigma_ = std::min(sigma_, unit.sigma);
   constexpr int kSoonest = 5;  // frames
   next_ = frame_index + std::max(kSoonest, (frame_index - since_) / 2);
   last_keyframe_ = view.reference->keyframe_id;

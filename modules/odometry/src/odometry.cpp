@@ -10,6 +10,7 @@
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
+#include "edgevo/map/segment_join.h"
 #include "odometry_impl.h"
 
 namespace edgevo {
@@ -118,13 +119,11 @@ void Odometry::Impl::require_open(const std::string& where) const {
 void Odometry::Impl::change_reference(const Frame& frame) {
   const std::shared_ptr<const Reference> newest = map.reference();
   const ImageCorrection before = front_end.correction();
-  const double unit = front_end.reference() ? front_end.reference()->unit : newest->unit;
   if (newest != front_end.reference() && newest->camera.correction != before) {
     const TraceScope traced("correction of the images");
     map.correct(&front_end.builder(), newest->camera.correction);
   }
   front_end.change_reference(newest);
-  if (corners && newest->unit != unit) corners->rescale(newest->unit / unit);
   if (front_end.correction() == before) return;
   forget_views();
   for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
@@ -233,22 +232,39 @@ void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* trac
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found = integrity.add(now.frame.index, view, is_doubtful(*now.record));
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
-  scales.begin(found, now.frame.index, view, integrity.before(),
-               [&](int segment) { return frames.T_world_map(segment).scale; });
-  if (const std::optional<ScaleAnswer> answer = scales.take(found, view))
-    tracked->doubt_ended = end_doubt(now, *answer);
+  scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {
+    return frames.scale_of(v.segment, v.reference->keyframe_id);
+  });
+  if (const std::optional<ScaleAnswer> answer = scales.take(found, view)) {
+    keep_links(*answer);
+    report_links(now, *answer);
+    tracked->confirms_map = answer->confirms_map;
+  }
 }
 
-// What links the map to a view before several doubts ends all of them.
-std::optional<DoubtEnded> Odometry::Impl::end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer) {
-  for (const ComparedScale& c : answer.compared)
-    if (c.is_open && c.unit.is_linked()) frames.constrain_scale(answer.now.segment, c.unit);
-  const std::optional<RelativeScale>& unit = answer.found.unit;
-  if (!answer.ends_doubt && !answer.is_linked()) return std::nullopt;
+// What links the map to a view before several doubts relates all epochs since.
+void Odometry::Impl::keep_links(const ScaleAnswer& answer) {
+  bool is_new = answer.begins_epoch();
+  if (is_new)
+    frames.begin_epoch(
+        {answer.now.segment, answer.last_before->reference->keyframe_id, answer.now.reference->keyframe_id});
+  for (const ComparedScale& c : answer.compared) {
+    if (!c.found.linked) continue;
+    const auto& [before, link] = *c.found.linked;
+    frames.add_constraint(
+        constraint_of({link.T_b_a, link.scale, link.sigma}, *before.reference, *answer.now.reference));
+    is_new = true;
+    if (c.is_open) frames.constrain_scale(answer.now.segment, *c.found.unit);
+  }
+  if (is_new) frames.place_epochs(state.segment());
+}
+
+void Odometry::Impl::report_links(const ArrivedFrame& now, const ScaleAnswer& answer) {
+  const std::optional<RelativeScale>& unit = answer.found().unit;
   if (answer.ends_doubt) now.record->evidence.unit = unit;
+  if (!unit || !(answer.ends_doubt || unit->is_linked())) return;
   const char* what = answer.ends_doubt ? "sure again; " : "the view before the doubt is seen again; ";
-  if (unit) report(now.frame, what + in_words(*unit));
-  return answer.found.ended;
+  report(now.frame, what + in_words(*unit));
 }
 
 // ---- state and records ----
@@ -271,6 +287,11 @@ void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.note = record.note;
   newest_pose.p_right = record.p_right;
   newest_pose.segment = state.has_map() ? state.segment() : -1;
+  if (state.has_map()) newest_pose.T_odom_map = frames.T_odom_map(state.segment());
+  const WorldOfOdometry& world = frames.world_of_odometry();
+  newest_pose.T_world_odom = world.T_world_odom;
+  newest_pose.world_changes = world.changes;
+  newest_pose.scale_sigma = world.scale_sigma;
   newest_pose.reference = state.has_map() ? front_end.reference() : nullptr;
   newest_pose.covariance = record.covariance;
 }
@@ -291,7 +312,7 @@ FrameView Odometry::Impl::frame_view() const {
   if (!state.has_pose() || !front_end.reference() || waits_for_map())
     return {front_end.newest_pyramid(), {}, -1};
   // From the segment's map to the world lengths are multiplied by the scale.
-  return front_end.view(1.0 / frames.T_world_map(state.segment()).scale);
+  return front_end.view(1.0 / frames.T_odom_map(state.segment()).scale);
 }
 
 void Odometry::Impl::report(const Frame& frame, const std::string& what) const {

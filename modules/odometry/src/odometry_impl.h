@@ -55,8 +55,9 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
-  // Of this doubt, or of an earlier one whose unit is found now; nothing if it is still not.
-  std::optional<DoubtEnded> end_doubt(const ArrivedFrame& now, const ScaleAnswer& answer);
+  // What relates the map to what was seen before this doubt, or an earlier one.
+  void keep_links(const ScaleAnswer& answer);
+  void report_links(const ArrivedFrame& now, const ScaleAnswer& answer);
 
   // ---- making a map ----
   void forget_views();

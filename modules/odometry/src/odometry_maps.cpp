@@ -57,7 +57,7 @@ Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult&
 
 std::optional<double> Odometry::Impl::scale_by_depths() const {
   if (!state.has_pose()) return std::nullopt;
-  return 1.0 / front_end.reference()->median_idepth / kFirstMedianDepth;
+  return frames.T_odom_map(state.segment()).scale / front_end.reference()->median_idepth / kFirstMedianDepth;
 }
 
 void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& begun) {

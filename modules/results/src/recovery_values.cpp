@@ -25,6 +25,7 @@ struct Writing {
     for (int i = 0; i < 3; ++i) out->value(T.translation()[i]);
     for (int i = 0; i < 4; ++i) out->value(T.rotation().coeffs()[i]);
   }
+  void node(const NodeId& id) { out->value(id.kind()), out->value(id.number()), out->value(id.epoch()); }
   template <class T, class Each>
   void list(const std::vector<T>& values, const Each& each) {
     out->value(uint32_t(values.size()));
@@ -57,6 +58,13 @@ struct Reading {
     for (double& x : v) x = in->value<double>();
     T = SE3::from_unit({v[6], v[3], v[4], v[5]}, {v[0], v[1], v[2]});
   }
+  void node(NodeId& id) {
+    const auto kind = in->value<NodeId::Kind>();
+    const int number = in->value<int>(), epoch = in->value<int>();
+    id = kind == NodeId::Kind::kEpoch      ? NodeId::epoch(number, epoch)
+         : kind == NodeId::Kind::kKeyframe ? NodeId::keyframe(number)
+                                           : NodeId::world();
+  }
   template <class T, class Each>
   void list(std::vector<T>& values, const Each& each) {
     for (auto left = in->value<uint32_t>(); left > 0 && in->ok(); --left) each(values.emplace_back());
@@ -76,6 +84,11 @@ struct Reading {
 template <class Visit, class Vector>
 void visit_numbers(Visit& v, Vector& numbers) {
   for (int i = 0; i < int(numbers.size()); ++i) v.plain(numbers.data()[i]);
+}
+
+template <class Visit, class T>
+void visit_similarity(Visit& v, T& similarity) {
+  v.plain(similarity.scale), v.pose(similarity.rigid);
 }
 
 template <class Visit, class T>
@@ -210,8 +223,35 @@ void visit_move(Visit& v, Move& m) {
 
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<SegmentPlaced>& e) {
-  v.plain(e.segment), v.plain(e.T_world_map.scale), v.pose(e.T_world_map.rigid), v.plain(e.method);
-  v.plain(e.scale_sigma);
+  v.plain(e.segment), visit_similarity(v, e.T_world_map), v.plain(e.method);
+  v.plain(e.scale_sigma), v.plain(e.rotation_sigma), v.plain(e.position_sigma);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<EpochBegan>& e) {
+  v.plain(e.segment), v.plain(e.last_before), v.plain(e.first);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<ConstraintAdded>& e) {
+  auto& c = e.constraint;
+  v.plain(e.id), v.node(c.from), v.node(c.to), visit_similarity(v, c.T_from_to);
+  visit_numbers(v, c.covariance), v.plain(c.kind), visit_numbers(v, c.centre);
+  v.maybe(c.failure, [&](auto& f) { v.plain(f.probability), visit_numbers(v, f.covariance); });
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<ConstraintWithdrawn>& e) {
+  v.plain(e.id);
+}
+
+template <class Visit>
+void visit(Visit& v, typename Visit::template Value<EpochsPlaced>& e) {
+  v.list(e.epochs, [&](auto& p) {
+    v.plain(p.segment), v.plain(p.epoch), v.plain(p.first_keyframe);
+    visit_similarity(v, p.T_world_map), v.plain(p.scale_sigma);
+  });
+  v.plain(e.segment), visit_similarity(v, e.T_odom_map), v.pose(e.T_world_odom);
 }
 
 template <class Visit>

@@ -217,6 +217,26 @@ std::string covariances_csv(const Run& run) {
   return text;
 }
 
+std::string graph_csv(const Run& run) {
+  std::string text = "what,segment,epoch,first_frame,last_frame,scale,sigma,holds\n";
+  const auto append = [&](const std::string& begin, int first, int last, double scale, double sigma) {
+    text += begin + std::to_string(first) + ',' + std::to_string(last) + ',';
+    append_fixed(&text, scale, 6);
+    append_fixed(&(text += ','), sigma, 5);
+    text += ',';
+  };
+  for (const EpochRecord& e : run.epochs) {
+    append("epoch," + std::to_string(e.segment) + ',' + std::to_string(e.epoch) + ',', e.first_frame,
+           e.last_frame, e.scale, e.scale_sigma);
+    text += '\n';
+  }
+  for (const ConstraintRecord& c : run.constraints) {
+    append(c.kind + ",,,", c.from_frame, c.to_frame, c.scale, c.scale_sigma);
+    text += std::to_string(int(c.holds)) + '\n';
+  }
+  return text;
+}
+
 std::string scale_csv(const Run& run) {
   std::string text = "index,time,factor,sigma,samples,live_factor,live_sigma\n";
   for (size_t i = 0; i < run.scale.frames.size(); ++i) {

@@ -61,6 +61,13 @@ void LiveScale::apply(const MapMoved& moved) {
   estimate_from_ground();
 }
 
+void LiveScale::rescale(int segment, int first_keyframe, double ratio) {
+  if (segment != segment_) return;
+  for (HeightSample& height : heights_)
+    if (height.keyframe_id >= first_keyframe) height.height *= ratio;
+  estimate_from_ground();
+}
+
 // The scale of a new segment equals that of the old one only if the speed was kept: a guess, used until there
 // is an estimate.
 void LiveScale::begin_segment(int segment) {

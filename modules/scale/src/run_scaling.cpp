@@ -58,6 +58,14 @@ VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) 
   return track;
 }
 
+// Of the segment in use.
+const EpochPlace& newest_epoch(const EpochsPlaced& placed) {
+  const EpochPlace* newest = &placed.epochs.front();
+  for (const EpochPlace& e : placed.epochs)
+    if (e.segment == placed.segment) newest = &e;
+  return *newest;
+}
+
 }  // namespace
 
 RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const Pinhole& pinhole,
@@ -74,8 +82,11 @@ RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const P
 void RunScaling::apply(const MapEvent& event) {
   if (!requested_.is_estimated()) return;
   if (const auto* placed = std::get_if<SegmentPlaced>(&event)) {
-    T_world_map_[placed->segment] = placed->T_world_map;
+    T_odom_map_[placed->segment] = placed->T_world_map;
     waiting_.clear();
+  } else if (const auto* epochs = std::get_if<EpochsPlaced>(&event)) {
+    add_waiting();
+    follow(*epochs);
   } else if (const auto* frame = std::get_if<FrameAnchored>(&event)) {
     add_waiting();
     live_.add_frame(frame->frame);
@@ -87,12 +98,21 @@ void RunScaling::apply(const MapEvent& event) {
   }
 }
 
+// The live path goes on in the unit of the newest epoch.
+void RunScaling::follow(const EpochsPlaced& epochs) {
+  const auto T_odom_map = T_odom_map_.find(epochs.segment);
+  if (T_odom_map == T_odom_map_.end() || epochs.epochs.empty()) return;
+  live_.rescale(epochs.segment, newest_epoch(epochs).first_keyframe,
+                epochs.T_odom_map.scale / T_odom_map->second.scale);
+  T_odom_map->second = epochs.T_odom_map;
+}
+
 void RunScaling::add_waiting() {
   for (const KeyframeMarginalised& marginalised : waiting_) {
     KeyframeRecord keyframe = *marginalised.keyframe;
-    const auto T_world_map = T_world_map_.find(keyframe.segment);
-    if (T_world_map == T_world_map_.end()) continue;  // in a damaged recovery log only
-    move_to_world(T_world_map->second, &keyframe);
+    const auto T_odom_map = T_odom_map_.find(keyframe.segment);
+    if (T_odom_map == T_odom_map_.end()) continue;  // in a damaged recovery log only
+    move_to_world(T_odom_map->second, &keyframe);
     live_.add_keyframe(marginalised.id, keyframe);
   }
   waiting_.clear();

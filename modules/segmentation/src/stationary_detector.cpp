@@ -87,9 +87,4 @@ void StationaryDetector::change_reference(const SE3& T_old_new) {
   if (T_standing_ref_) *T_standing_ref_ = *T_standing_ref_ * T_old_new;
 }
 
-void StationaryDetector::rescale(double scale_ratio) {
-  if (T_standing_ref_)
-    T_standing_ref_ = SE3(T_standing_ref_->rotation(), scale_ratio * T_standing_ref_->translation());
-}
-
 }  // namespace edgevo

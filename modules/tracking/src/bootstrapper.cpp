@@ -28,8 +28,8 @@ SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
                                   const std::optional<TrustedReference>& before,
                                   const std::optional<ViewLink>& link, std::optional<double> scale) const {
   if (before && link)
-    return link_segment(segment, *before->reference, frames_->T_world_map(before->segment),
-                        *map_->reference(), {link->T_b_a, link->scale, link->sigma});
+    return link_segment(segment, *before->reference, frames_->T_odom_map(before->segment), *map_->reference(),
+                        {link->T_b_a, link->scale, link->sigma});
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
@@ -44,6 +44,9 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
   const std::optional<ViewLink> link = known ? known->link : find_link(pinhole_, before, *map_->reference());
   frames_->begin_segment(place(segment, views, before, link, scale));
   map_->begin_segment(segment);
+  if (before && link)
+    frames_->add_constraint(
+        constraint_of({link->T_b_a, link->scale, link->sigma}, *before->reference, *map_->reference()));
   NewSegment begun;
   begun.reference = map_->reference();
   begun.why = views.why;

@@ -164,11 +164,6 @@ void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, 
 void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
   if (newest == reference_) return;
   if (reference_) {
-    if (newest->unit != reference_->unit) {
-      motion_.rescale(newest->unit / reference_->unit);
-      history_->rescale(newest->unit / reference_->unit);
-      stationary_.rescale(newest->unit / reference_->unit);
-    }
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
     motion_.change_reference(T_old_world * newest->T_ref_world.inverse());

@@ -54,12 +54,6 @@ void MotionModel::follow(const SE3& T_cur_ref) {
   seconds_since_ = 0;
 }
 
-void MotionModel::rescale(double scale_ratio) {
-  const auto scaled = [&](const SE3& T) { return SE3(T.rotation(), scale_ratio * T.translation()); };
-  T_last_ref_ = scaled(T_last_ref_);
-  velocity_ = scaled(velocity_);
-}
-
 void MotionModel::restart(const std::optional<SE3>& motion) {
   T_last_ref_ = SE3();
   velocity_ = !motion || newest_.frames == 1 ? motion.value_or(SE3())

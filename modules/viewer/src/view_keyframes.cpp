@@ -7,10 +7,14 @@ namespace edgevo {
 
 void ViewKeyframes::apply(const Pinhole& pinhole, const MapEvent& event) {
   if (const auto* placed = std::get_if<SegmentPlaced>(&event)) {
-    T_world_map_[placed->segment] = placed->T_world_map;
+    placed_.epochs.push_back({placed->segment, 0, -1, placed->T_world_map, placed->scale_sigma});
+  } else if (const auto* epochs = std::get_if<EpochsPlaced>(&event)) {
+    placed_.epochs = epochs->epochs;
+    ++moves_;
   } else if (const auto* marginalised = std::get_if<KeyframeMarginalised>(&event)) {
     place_[marginalised->id] = keyframes_.size();
     keyframes_.push_back(marginalised->keyframe);
+    ids_.push_back(marginalised->id);
   } else if (const auto* moved = std::get_if<MapMoved>(&event)) {
     move(pinhole, *moved);
   }
@@ -30,8 +34,8 @@ void ViewKeyframes::move(const Pinhole& pinhole, const MapMoved& moved) {
 
 KeyframeRecord ViewKeyframes::in_world(size_t i) const {
   KeyframeRecord keyframe = *keyframes_[i];
-  const auto T_world_map = T_world_map_.find(keyframe.segment);
-  if (T_world_map != T_world_map_.end()) move_to_world(T_world_map->second, &keyframe);
+  if (const EpochPlace* epoch = placed_.find(keyframe.segment, ids_[i]))
+    move_to_world(epoch->T_world_map, &keyframe);
   return keyframe;
 }
 

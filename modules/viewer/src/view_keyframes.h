@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "edgevo/map/map_event.h"
+#include "edgevo/map/epochs.h"
 
 namespace edgevo {
 
@@ -30,8 +30,9 @@ class ViewKeyframes {
   std::vector<std::shared_ptr<const KeyframeRecord>> keyframes_;
   /// Place in keyframes_ by id.
   std::map<int, size_t> place_;
-  /// By segment.
-  std::map<int, Sim3> T_world_map_;
+  /// Their ids.
+  std::vector<int> ids_;
+  PlacedEpochs placed_;
   int moves_ = 0;
 };
 

@@ -183,7 +183,7 @@ void add_memory(test::RecordedValues* values) {
       adjustment.moved = is_odd ? 2.2 : 1.3;
       if (i % 4 == 0) trust.add_adjustment(adjustment);
       if (i == 150) history.interrupt();
-      if (i == 170) history.rescale(1.5);
+      if (i == 170) history.interrupt();
       if (i == 230) history.begin_map();
       const double step = is_odd ? 0.9 : 0.5 + 0.001 * i;
       T_map_cam = T_map_cam * SE3::exp((Vector6d() << 0, 0, step, 0, 0.01, 0).finished());

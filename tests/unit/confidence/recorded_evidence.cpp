@@ -67,7 +67,6 @@ using C = CornerEvidence;
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       frame_column<&RecordedFrame::segment>("segment"),
-      frame_column<&RecordedFrame::unit>("unit"),
       frame_column<&RecordedFrame::moved>("moved"),
       motion_column<0>("x"),
       motion_column<1>("y"),
@@ -180,7 +179,6 @@ std::optional<Outcome> EvidenceReplay::add(const RecordedFrame& frame) {
     history_.interrupt();
     return std::nullopt;
   }
-  if (frame.unit != 1) history_.rescale(frame.unit);
   AdjustmentEvidence adjustment;
   adjustment.moved = frame.moved;
   trust_.add_adjustment(adjustment);

@@ -17,8 +17,6 @@ struct RecordedFrame {
   bool has_pose = false;
   /// Segment of the map.
   int segment = 0;
-  /// New over old length, where the map has set its unit back since the frame before; else 1.
-  double unit = 1;
   /// AdjustmentEvidence::moved of the newest keyframe adjusted since the frame before; NaN: none.
   double moved = std::numeric_limits<double>::quiet_NaN();
   /// Tangent of T_before_cam, the motion since the frame before.

@@ -96,17 +96,6 @@ TEST(MotionHistory, AFrameThatIsKnownToStandDoesNotCount) {
 
 // ---- the unit ----
 
-TEST(MotionHistory, AUnitThatIsSetBackChangesTheStepsBefore) {
-  Path path = after_steps_of(0.3, 40);
-  ASSERT_TRUE(path.history.median_step());
-  path.history.rescale(2);
-  EXPECT_NEAR(path.history.largest_step(10, 0.002, 1), 6, 1e-9);
-  EXPECT_FALSE(path.history.median_step());
-  path.go(0.6);
-  EXPECT_TRUE(std::isnan(path.history.newest().step));
-  EXPECT_NEAR(path.history.newest().usual, 0.6, 1e-9);
-}
-
 TEST(MotionHistory, ANewMapHasAnotherUnit) {
   Path path = after_steps_of(0.3, 30);
   path.history.begin_map();

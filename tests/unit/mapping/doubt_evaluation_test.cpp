@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "textured_views.h"
 
 namespace edgevo {
@@ -14,11 +12,8 @@ using test::after_a_step;
 using test::texture;
 using test::textured_view;
 
-constexpr double kNotAtAll = std::numeric_limits<double>::infinity();
-
-DoubtEvaluation evaluate(const std::vector<TrustedReference>& before, const TrustedReference& now,
-                         double known_to = kNotAtAll) {
-  return evaluate_doubt(test::kTexturedPinhole, before, now, known_to, [](int) { return 1.0; });
+DoubtEvaluation evaluate(const std::vector<TrustedReference>& before, const TrustedReference& now) {
+  return evaluate_doubt(test::kTexturedPinhole, before, now, [](const TrustedReference&) { return 1.0; });
 }
 
 class AfterADoubt : public ::testing::Test {
@@ -39,22 +34,24 @@ TEST_F(AfterADoubt, AnEarlierViewLinksWhatTheNewestDoesNot) {
   EXPECT_FALSE(evaluate({failure(3)}, now(1, 20)).unit->is_linked());
   const DoubtEvaluation found = evaluate({failure(3), before(2)}, now(1, 20));
   ASSERT_TRUE(found.unit->is_linked());
-  EXPECT_NEAR(found.ended.scale_ratio, 0.5, 0.01);
+  EXPECT_NEAR(found.unit->ratio, 0.5, 0.01);
+  EXPECT_EQ(found.linked->before.reference->keyframe_id, 2);
+  EXPECT_TRUE(found.confirms_map);
 }
 
-// Within the same map all that came after the newest one was measured in the other unit.
-TEST_F(AfterADoubt, WhatCameAfterTheNewestViewIsSetBack) {
-  const DoubtEvaluation found = evaluate({failure(3), before(2)}, now(0, 20));
-  EXPECT_NEAR(found.ended.scale_ratio, 0.5, 0.01);
-  EXPECT_EQ(found.ended.last_trusted_keyframe, 3);
+// A map that nothing links to what was sure stays provisional; a new one is all that there is.
+TEST_F(AfterADoubt, OneMapCountsOnceSomethingLinksIt) {
+  EXPECT_FALSE(evaluate({failure(3)}, now(0, 20)).confirms_map);
+  EXPECT_TRUE(evaluate({before(3)}, now(0, 20)).confirms_map);
+  EXPECT_TRUE(evaluate({failure(3)}, now(1, 20)).confirms_map);
 }
 
-// The unit of a new map is an estimate, which a better one replaces; that of one map is kept unless it is
-// shown to be wrong.
-TEST_F(AfterADoubt, ASmallDifferenceIsOneOfANewMapOnly) {
-  EXPECT_NEAR(evaluate({before(3)}, now(1, 10.4)).ended.scale_ratio, 1 / 1.04, 0.005);
-  EXPECT_EQ(evaluate({before(3)}, now(0, 10.4)).ended.scale_ratio, 1);
-  EXPECT_EQ(evaluate({before(3)}, now(1, 10.4), 0.001).ended.scale_ratio, 1) << "known better";
+// What is compared is the unit as it is known by now.
+TEST_F(AfterADoubt, TheRatioIsThatOfLengthsInTheWorld) {
+  const auto scale_of = [](const TrustedReference& v) { return v.segment == 1 ? 0.5 : 1.0; };
+  const DoubtEvaluation found = evaluate_doubt(test::kTexturedPinhole, {before(3)}, now(1, 20), scale_of);
+  EXPECT_NEAR(found.unit->ratio, 1, 0.02);
+  EXPECT_NEAR(found.linked->link.scale, 0.5, 0.01);
 }
 
 }  // namespace

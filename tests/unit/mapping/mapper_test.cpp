@@ -282,30 +282,11 @@ TEST(Mapper, ConfirmedKeyframesAreNoLongerDoubtful) {
   ASSERT_EQ(driver.start(), "");
   for (int k = 1; k <= 10; ++k) {
     TrackedFrame frame = next_keyframe(&driver, k, k == 4);
-    if (k == 7) frame.doubt_ended = DoubtEnded{0, true, 1};
+    frame.confirms_map = k == 7;
     driver.mapper.process(frame);
   }
   driver.mapper.close();
   for (const bool doubtful : doubtful_ones(&driver)) EXPECT_FALSE(doubtful);
-}
-
-TEST(Mapper, AUnitThatHasMovedIsSetBack) {
-  SweepDriver driver(mapping_of_seven_keyframes());
-  ASSERT_EQ(driver.start(), "");
-  for (int k = 1; k <= 5; ++k) driver.mapper.process(next_keyframe(&driver, k, false));
-  const std::shared_ptr<const Reference> before = driver.mapper.reference();
-  TrackedFrame frame = next_keyframe(&driver, 6, false);
-  frame.make_keyframe = false;
-  frame.doubt_ended = DoubtEnded{driver.mapper.window().keyframes()[3].id, true, 2};
-  driver.mapper.process(frame);
-  const std::shared_ptr<const Reference> after = driver.mapper.reference();
-  EXPECT_EQ(after->unit, 2);
-  EXPECT_NEAR(after->median_idepth, before->median_idepth / 2, 1e-9);
-  EXPECT_LT((after->T_ref_world * before->T_ref_world.inverse()).log().norm(), 1e-9);
-  const auto& window = driver.mapper.window().keyframes();
-  const size_t last = window.size() - 1;
-  EXPECT_NEAR(step_scale(driver, window[last - 1], window[last]), 2, 0.2);
-  EXPECT_NEAR(step_scale(driver, window[2], window[3]), 1, 0.15);
 }
 
 }  // namespace

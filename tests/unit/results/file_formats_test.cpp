@@ -75,6 +75,7 @@ TEST_F(FileFormats, FilesOfARun) {
 TEST_F(FileFormats, ColumnsOfTables) {
   expect_named(header_of(frames_csv({})), "frames.csv");
   expect_named(header_of(scale_csv({})), "scale.csv");
+  expect_named(header_of(graph_csv({})), "graph.csv");
   expect_named(header_of(line_table_csv({})), "edge_segments.csv");
 }
 

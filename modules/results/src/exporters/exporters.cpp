@@ -20,6 +20,7 @@ const std::vector<Exporter>& exporters() {
       {"frames.csv", "one row for every frame; timing columns last", Kind::kText, export_frames},
       {"covariances.csv", "covariance of each pose relative to its keyframe", Kind::kText,
        export_covariances},
+      {"graph.csv", "intervals of one unit of length, and what relates them", Kind::kText, export_graph},
       {"mask.png", "what is fixed to the camera, black, if there is such a part", Kind::kText,
        export_ego_mask, has_ego_mask},
       {"camera.yaml", "the camera, for --camera of the next run, if it was found from the motion",

@@ -15,6 +15,7 @@ void export_kitti_trajectory(ExportContext* context, const std::string& path);
 // frame_tables.cpp
 void export_frames(ExportContext* context, const std::string& path);
 void export_covariances(ExportContext* context, const std::string& path);
+void export_graph(ExportContext* context, const std::string& path);
 void export_scale(ExportContext* context, const std::string& path);
 bool has_scale(const ExportContext& context);
 void export_ego_mask(ExportContext* context, const std::string& path);

@@ -13,6 +13,10 @@ void export_covariances(ExportContext* context, const std::string& path) {
   write_file(path, covariances_csv(context->run));
 }
 
+void export_graph(ExportContext* context, const std::string& path) {
+  write_file(path, graph_csv(context->run));
+}
+
 void export_scale(ExportContext* context, const std::string& path) {
   write_file(path, scale_csv(context->run));
 }

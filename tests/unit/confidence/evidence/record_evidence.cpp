@@ -62,8 +62,7 @@ class Recorder {
       next.evidence.pose_sigmas.fill(record.evidence.pose_sigmas.back());
       const SE3 T_map_cam = pose.T_cam_map->inverse();
       next.motion = (T_map_before_.inverse() * T_map_cam).log();
-      if (pose.segment == segment_) next.unit = pose.reference->unit / unit_;
-      T_map_before_ = T_map_cam, segment_ = pose.segment, unit_ = pose.reference->unit;
+      T_map_before_ = T_map_cam;
     }
     check(next, record);
     const RecordedFrame kept = rounded(next);
@@ -98,7 +97,7 @@ class Recorder {
   EvidenceReplay exact_, replay_;
   SE3 T_map_before_;
   int segment_ = -1, others_ = 0;
-  double unit_ = 1, moved_ = kUnknown;
+  double moved_ = kUnknown;
   std::vector<EvidenceRow> rows_;
 };
 

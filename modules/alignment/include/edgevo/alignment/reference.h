@@ -32,8 +32,6 @@ struct Reference {
   CameraRefinement camera;
   /// Number of moves of the map before this state (Map::moves()).
   int moves = 0;
-  /// Length in this map over the same length when the map began: set back after a doubt (Mapper).
-  double unit = 1;
   /// Variance of poses tracked against this keyframe over the variance that their alignment reports.
   double error_factor = 1;
 };

@@ -65,8 +65,6 @@ class MotionHistory {
   void report(const FrameRecord& frame);
   /// A frame has no pose: the next step in the map has no length.
   void interrupt() { poses_.clear(); }
-  /// The map has set its unit back: lengths from now on over those before. What was reported stays.
-  void rescale(double scale_ratio);
   /// A new map, in another unit. What was reported stays.
   void begin_map();
 

@@ -23,10 +23,6 @@ class RecentValues {
     values_.push_back(value);
     if (values_.size() > most_) values_.pop_front();
   }
-  /// Multiplies all values: their unit has changed.
-  void multiply(double factor) {
-    for (double& value : values_) value *= factor;
-  }
   /// Forgets all values.
   void clear() { values_.clear(); }
   /// Number of values kept.

@@ -239,6 +239,32 @@ struct SegmentRecord {
   double scale_sigma = 0;
 };
 
+/// An interval of a segment within which the unit of length is one. Between two of them lies a doubt.
+struct EpochRecord {
+  /// Number of its segment, and its own within that, from 0.
+  int segment = 0, epoch = 0;
+  /// Indices in the source of its first and its last frame with a pose.
+  int first_frame = 0, last_frame = 0;
+  /// Length in the run over length as it was measured in the epoch; before --scale.
+  double scale = 1;
+  /// Standard deviation of the logarithm of that; 0 for the first one.
+  double scale_sigma = 0;
+};
+
+/// What was found to relate two keyframes.
+struct ConstraintRecord {
+  /// What shows it, as in the messages: "features", ...
+  std::string kind;
+  /// Indices in the source of the frames of the keyframes.
+  int from_frame = 0, to_frame = 0;
+  /// Length in the map of the first over the same length in that of the second, as measured there.
+  double scale = 1;
+  /// Standard deviation of the logarithm of that.
+  double scale_sigma = 0;
+  /// Whether the others agree with it; if not in its unit or its place, that was taken for a mistake.
+  bool holds = true;
+};
+
 /// Work that a --realtime run has skipped so that poses came in time.
 struct ShedWork {
   /// Keyframes whose edges made no lines.
@@ -281,6 +307,10 @@ struct Run {
   std::vector<KeyframeRecord> keyframes;
   /// The segments by their number; empty if that is not known.
   std::vector<SegmentRecord> segments;
+  /// The epochs in time order; empty if they are not known.
+  std::vector<EpochRecord> epochs;
+  /// What relates them.
+  std::vector<ConstraintRecord> constraints;
   /// Source of the scale; "none": unit arbitrary; else metres.
   std::string scale_source = "none";
   /// Scale by which all lengths of the run have been multiplied.

@@ -42,8 +42,6 @@ class FeatureTracker {
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
   /// stay. `median_idepth` of the map is what is expected of corners before their depths are measured.
   void begin_map(double median_idepth);
-  /// The map has set its unit back: lengths from now on over those before. The poses before count no more.
-  void rescale(double scale_ratio);
 
  private:
   struct Impl;

@@ -15,6 +15,17 @@
 
 namespace edgevo {
 
+/// Where the frame of live poses lies in the world. It changes when something is found about the past, so
+/// that live poses need not.
+struct WorldOfOdometry {
+  /// From that frame to the world.
+  SE3 T_world_odom;
+  /// Number of changes so far.
+  int changes = 0;
+  /// Standard deviation of the logarithm of the unit of length in use; 0: that of the run.
+  double scale_sigma = 0;
+};
+
 /// Frames and segments of a run; for the tracking thread.
 class FrameLog {
  public:
@@ -45,9 +56,20 @@ class FrameLog {
   void constrain_scale(int segment, const RelativeScale& unit);
   /// Announces the pose of a segment's map in the world.
   void begin_segment(const SegmentPlaced& placed);
+  /// Announces an epoch.
+  void begin_epoch(const EpochBegan& began);
+  /// Announces a constraint between keyframes.
+  void add_constraint(const Constraint& constraint);
+  /// Announces where the epochs lie by now. Live poses of `segment`, that of the newest frame, have its unit
+  /// from the next frame on.
+  void place_epochs(int segment);
+  /// World over map of the epoch of a keyframe, as announced last.
+  double scale_of(int segment, int keyframe_id) const;
 
-  /// From the map of a segment that has begun to the world.
-  const Sim3& T_world_map(int segment) const { return run_.T_world_map(segment); }
+  /// RunBuilder::T_odom_map().
+  const Sim3& T_odom_map(int segment) const { return run_.T_odom_map(segment); }
+  /// From the frame of live poses to the world, as announced last, and the number of announcements.
+  const WorldOfOdometry& world_of_odometry() const { return world_; }
   /// The run so far. Cost: that of the events since the last call.
   RunBuilder& run();
 
@@ -61,6 +83,9 @@ class FrameLog {
   RunBuilder run_;
   FrameAnchored newest_;
   std::map<int, FrameAnchored> unlinked_;  // by frame
+  PlacedEpochs placed_;                    // as announced last
+  int constraints_ = 0;
+  WorldOfOdometry world_;
 };
 
 }  // namespace edgevo

@@ -21,6 +21,7 @@
 #include "edgevo/core/sim3.h"
 #include "edgevo/core/stage_times.h"
 #include "edgevo/edges/image_motion.h"
+#include "edgevo/map/map_graph.h"
 
 namespace edgevo {
 
@@ -47,6 +48,57 @@ struct SegmentPlaced {
   Method method = Method::kOrigin;
   /// Standard deviation of the logarithm of the scale; 0: the unit of the run.
   double scale_sigma = 0;
+  /// Standard deviations of the rotation, radians, and of the place, in the unit of the world.
+  double rotation_sigma = 0, position_sigma = 0;
+};
+
+/// A doubt about the motion has ended in the map in which it began: what lies after it may have another unit
+/// of length than what lies before. Tracking goes on in the unit that it has.
+struct EpochBegan {
+  /// Number of the segment.
+  int segment = 0;
+  /// Last keyframe before the doubt that is sure, and first one after it. Those between belong to neither.
+  int last_before = 0, first = 0;
+};
+
+/// A relation was found: between keyframes, of whatever epochs, or between a keyframe and the world.
+struct ConstraintAdded {
+  /// Number of the constraint in the run, from 0.
+  int id = 0;
+  /// The constraint; its nodes are the world and keyframes.
+  Constraint constraint;
+};
+
+/// A relation has turned out to be none.
+struct ConstraintWithdrawn {
+  /// Number of the constraint.
+  int id = 0;
+};
+
+/// Where an epoch lies, as far as is known.
+struct EpochPlace {
+  /// Number of its segment, and its own within that, from 0.
+  int segment = 0, epoch = 0;
+  /// Id of its first keyframe; -1: the first of the segment.
+  int first_keyframe = -1;
+  /// From the segment's map to the world, for the keyframes of the epoch.
+  Sim3 T_world_map;
+  /// Standard deviation of the logarithm of its scale; 0: that of the run.
+  double scale_sigma = 0;
+};
+
+/// The epochs have been placed anew: of what was found. Follows EpochBegan, ConstraintAdded and
+/// ConstraintWithdrawn.
+struct EpochsPlaced {
+  /// All epochs of the run, in time order.
+  std::vector<EpochPlace> epochs;
+  /// Number of the segment in use.
+  int segment = 0;
+  /// From the map of that segment to the frame in which live poses never jump, from now on: the newest
+  /// pose stays, lengths are those of its epoch.
+  Sim3 T_odom_map;
+  /// From that frame to the world: a rigid motion.
+  SE3 T_world_odom;
 };
 
 /// A frame has become a keyframe of the window.
@@ -86,8 +138,6 @@ enum class MoveReason {
   kCamera,
   /// Keyframes before the window were placed anew, e.g. because a place was seen again.
   kPast,
-  /// After an interval in doubt the unit of length was set back to that before.
-  kUnit,
 };
 
 /// New values of one keyframe.
@@ -202,7 +252,8 @@ struct FrameAnchored {
 };
 
 /// Any event.
-using MapEvent = std::variant<SegmentPlaced, KeyframeAdded, KeyframeMarginalised, MapMoved, WindowAdjusted,
-                              LinesFinished, CameraEstimated, FrameMapped, FrameAnchored>;
+using MapEvent = std::variant<SegmentPlaced, EpochBegan, ConstraintAdded, ConstraintWithdrawn, EpochsPlaced,
+                              KeyframeAdded, KeyframeMarginalised, MapMoved, WindowAdjusted, LinesFinished,
+                              CameraEstimated, FrameMapped, FrameAnchored>;
 
 }  // namespace edgevo

@@ -12,6 +12,7 @@
 
 #include "edgevo/core/records.h"
 #include "edgevo/core/rectification.h"
+#include "edgevo/map/epochs.h"
 #include "edgevo/map/map_event.h"
 
 namespace edgevo {
@@ -57,8 +58,14 @@ class RunBuilder {
   /// Pose in the segment's map of the last frame before `frame_index` that has one; nothing if that frame is
   /// of another segment.
   std::optional<SE3> pose_before(int frame_index, int segment) const;
-  /// From the map of a segment that has begun to the world.
-  const Sim3& T_world_map(int segment) const { return T_world_map_[size_t(segment)]; }
+  /// From the map of a segment that has begun to the frame of live poses, in which nothing jumps: the unit of
+  /// what is measured from now on is that of its newest epoch, as far as it is known.
+  const Sim3& T_odom_map(int segment) const { return T_odom_map_[size_t(segment)]; }
+  /// Where the epochs lie by what is known so far.
+  PlacedEpochs place_epochs() const;
+  /// What is to be announced of it: live poses to come have the unit that was found for the map of `segment`,
+  /// and the camera at `newest_position` in that map stays where it is.
+  EpochsPlaced follow_epochs(int segment, const Eigen::Vector3d& newest_position) const;
   /// Number of frames so far, forgotten ones included.
   size_t frames() const { return forgotten_ + rows_.size(); }
 
@@ -83,6 +90,10 @@ class RunBuilder {
   };
 
   void handle(const SegmentPlaced& e);
+  void handle(const EpochBegan& e) { epochs_.begin_epoch(e); }
+  void handle(const ConstraintAdded& e) { epochs_.add(e); }
+  void handle(const ConstraintWithdrawn& e) { epochs_.withdraw(e.id); }
+  void handle(const EpochsPlaced& e);
   void handle(const KeyframeAdded&) {}
   void handle(const KeyframeMarginalised& e);
   void handle(const MapMoved& e);
@@ -95,7 +106,12 @@ class RunBuilder {
   bool forgets() const { return most_rows_ > 0; }
   Row& row(size_t number) { return rows_[number - forgotten_]; }
   const Row& row(size_t number) const { return rows_[number - forgotten_]; }
-  bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_world_map_.size(); }
+  bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_odom_map_.size(); }
+  std::optional<KeyframeInMap> find_keyframe(int id) const;
+  std::vector<KeyframeInMap> find_keyframes(int segment, int first, int last) const;
+  double doubt_between(int frame, int later_frame) const;
+  void forget_places_before(int frame_index);
+  const std::vector<WindowAdjusted::Active>& active_keyframes() const;
   void add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe);
   // What a move of the map has changed near a keyframe.
   struct Change {
@@ -105,7 +121,9 @@ class RunBuilder {
   };
   Change changes_since(int keyframe_id, int moves) const;
   void anchor_to_own_keyframe(int keyframe_id, const KeyframeRecord& keyframe);
-  void finish_row(const std::map<int, int>& position_of_keyframe,
+  std::vector<EpochRecord> epoch_records(const PlacedEpochs& placed) const;
+  std::vector<ConstraintRecord> constraint_records(const PlacedEpochs& placed) const;
+  void finish_row(const PlacedEpochs& placed, const std::map<int, int>& position_of_keyframe,
                   const std::vector<KeyframeRecord>& keyframes, Row* row) const;
 
   Rectification rectification_;
@@ -116,7 +134,9 @@ class RunBuilder {
   std::map<int, size_t> position_;              // frame index -> number of the row
   std::map<int, Entry> keyframes_;              // the marginalised ones, by id
   std::map<int, std::vector<Change>> changes_;  // by keyframe id, also of keyframes of the window
-  std::vector<Sim3> T_world_map_;               // by segment, as the next
+  std::map<int, KeyframeInMap> places_;         // of the marginalised keyframes, by id; with forgets() too
+  Epochs epochs_;
+  std::vector<Sim3> T_odom_map_;  // by segment, as the next
   std::vector<SegmentRecord> segments_;
   WindowAdjusted window_;
   int moves_ = 0;

@@ -45,6 +45,9 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
                            const std::vector<TimedPose>& sure, const MapBeginning& beginning,
                            std::optional<double> scale);
 
+/// What the link says of the two keyframes, with the uncertainty of a motion of two views.
+Constraint constraint_of(const SegmentLink& link, const Reference& a, const Reference& b);
+
 /// Joins segment `segment`, whose newest keyframe is `after`, to the map that `before` is of, by what both
 /// keyframes see. `T_world_before`: from the map of `before` to the world.
 SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,

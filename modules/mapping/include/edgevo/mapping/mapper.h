@@ -29,17 +29,6 @@ namespace edgevo {
 
 class RebuiltImages;
 
-/// What was found about a doubt when it ended.
-struct DoubtEnded {
-  /// Newest keyframe of the window that was sure.
-  int last_trusted_keyframe = -1;
-  /// Whether the map after the doubt agrees with that before, or is known to have another unit; if not, its
-  /// keyframes stay doubtful.
-  bool is_evaluated = false;
-  /// Length before the doubt over the same length after it, in the unit of each; 1: the unit has held.
-  double scale_ratio = 1;
-};
-
 /// What corners that are searched next to the frames make of a pose.
 struct PoseByCorners {
   /// TrackedFrame::T_cam_ref with their help.
@@ -83,11 +72,11 @@ struct TrackedFrame {
   bool is_in_doubt = false;
   /// What corners show of the focal length up to this frame.
   std::optional<FocalError> focal_length;
-  /// With the first frame after a doubt.
-  std::optional<DoubtEnded> doubt_ended;
+  /// Whether a doubt has ended, and the keyframes made in it count from now on.
+  bool confirms_map = false;
 
   /// Whether mapping must not skip the frame.
-  bool is_needed() const { return make_keyframe || doubt_ended.has_value(); }
+  bool is_needed() const { return make_keyframe || confirms_map; }
 };
 
 /// Result of mapping a frame.
@@ -188,8 +177,7 @@ class Mapper {
   void return_to(int keyframe_id, StageTimes* times);
   void make_keyframe(const TrackedFrame& frame, const SE3& T_cam_world, MapUpdate* update);
   void note_doubt(const TrackedFrame& frame);
-  void end_doubt(const DoubtEnded& ended);
-  void set_unit_back(const DoubtEnded& ended);
+  void confirm();
   // The steps of a keyframe.
   void add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world);
   void associate(const TrackedFrame& frame, StageTimes* times);
@@ -239,7 +227,6 @@ class Mapper {
   ShedWork shed_work_;
   MovingAreas moving_;  // in the newest frame
   int next_id_ = 0;
-  double unit_ = 1;  // Reference::unit
   TrackingCheck tracking_check_;
   /// Depths seen up to the newest keyframe.
   SeenIdepths seen_idepths_;

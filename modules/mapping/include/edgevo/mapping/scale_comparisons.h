@@ -3,9 +3,7 @@
 // Compares the unit of length of the map with that before a doubt: at the end of the doubt, and again later
 // where nothing has linked the two. Matching the features of up to nine views takes 0.2 to 1 s, so that it is
 // done next to the frames in realtime; what is found applies to the frame at which it is there.
-#include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "edgevo/core/bounded_queue.h"
@@ -18,7 +16,7 @@ namespace edgevo {
 /// A comparison with one list of views.
 struct ComparedScale {
   /// What was found.
-  RelativeScale unit;
+  DoubtEvaluation found;
   /// The views, newest first.
   std::vector<TrustedReference> before;
   /// Whether they are those of UnresolvedScale.
@@ -33,20 +31,25 @@ struct ScaleAnswer {
   TrustedReference now;
   /// Whether a doubt ended there; else an earlier one was compared again.
   bool ends_doubt = false;
-  /// The comparisons that were made.
+  /// With the end of a doubt, the newest view before it; nothing before the first map.
+  std::optional<TrustedReference> last_before;
+  /// The comparisons that were made; the last of them counts.
   std::vector<ComparedScale> compared;
-  /// The last of them, which counts; its `unit` is empty if there was nothing to compare.
-  DoubtEvaluation found;
-  /// Whether that one links the map to the view before.
-  bool is_linked() const { return found.unit && found.unit->is_linked(); }
+  /// Whether the keyframes of the doubt count from now on: not if the motion is in doubt again.
+  bool confirms_map = false;
+
+  /// What counts.
+  const DoubtEvaluation& found() const { return compared.back().found; }
+  /// Whether a doubt ended in the map in which it began, and another reference is in use since.
+  bool begins_epoch() const {
+    return ends_doubt && last_before && last_before->segment == now.segment &&
+           last_before->reference != now.reference;
+  }
 };
 
 /// Begins the comparisons that are due and gives their answers; for the tracking thread.
 class ScaleComparisons {
  public:
-  /// From the map of a segment to the world: its scale.
-  using ScaleOf = std::function<double(int segment)>;
-
   /// With `own_thread` comparisons are made next to the caller, else within begin().
   ScaleComparisons(const Pinhole& pinhole, bool own_thread);
 
@@ -54,26 +57,21 @@ class ScaleComparisons {
   /// IntegrityMonitor::before(). Begins a comparison where a doubt ends, or where that with an earlier view
   /// is due.
   void begin(IntegrityMonitor::Integrity health, int frame_index, const TrustedReference& view,
-             const std::vector<TrustedReference>& before, const ScaleOf& scale_of);
+             const std::vector<TrustedReference>& before, const ScaleOfView& scale_of);
   /// The next answer; nothing if none is there. One that comes while the motion is in doubt again, or when
-  /// another map or unit is in use than in its view, is dropped, and the unit compared again later.
+  /// another map is in use than in its view, says what it says of the past, and confirms no map.
   std::optional<ScaleAnswer> take(IntegrityMonitor::Integrity health, const TrustedReference& view);
 
  private:
   struct Candidates {
     std::vector<TrustedReference> before;
     bool is_open;
-    double known_to;
   };
-  void begin(ScaleAnswer answer, std::vector<Candidates> candidates, const ScaleOf& scale_of);
+  void begin(ScaleAnswer answer, std::vector<Candidates> candidates, const ScaleOfView& scale_of);
   bool is_idle() const;
-  bool is_superseded(const ScaleAnswer& answer) const;
-  void note(const ScaleAnswer& answer);
-  void note_lost(const ScaleAnswer& answer);
 
   Pinhole pinhole_;
   UnresolvedScale open_;
-  std::optional<std::pair<int, double>> rescaled_from_;  // segment and unit, by the last answer
   BoundedQueue<ScaleAnswer> answers_;
   Worker worker_;  // last member: it ends before the others
 };

@@ -6,7 +6,6 @@
 // that the new map was made of, or its depths are young. A camera that stays near one place sees again what
 // it saw before. So the last view of the unit that was known is kept, and compared with later keyframes: less
 // and less often, since a camera that travels on does not come back.
-#include <limits>
 #include <vector>
 
 #include "edgevo/confidence/integrity_monitor.h"
@@ -17,9 +16,6 @@ namespace edgevo {
 /// When to compare the present map with views of before. For the tracking thread; keeps those views alive.
 class UnresolvedScale {
  public:
-  /// Standard deviation of a ratio of which nothing is known.
-  static constexpr double kUnknown = std::numeric_limits<double>::infinity();
-
   /// Notes what a comparison of `view`, at frame `frame_index`, with `before` has shown.
   void note(int frame_index, const std::vector<TrustedReference>& before, const TrustedReference& view,
             const RelativeScale& unit);
@@ -30,16 +26,11 @@ class UnresolvedScale {
   bool is_due(int frame_index, const TrustedReference& view) const;
   /// The views whose unit is looked for, newest first; empty if it is known.
   const std::vector<TrustedReference>& before() const { return before_; }
-  /// Standard deviation of the logarithm of the ratio of units, as known so far for the map of a segment;
-  /// kUnknown: not at all.
-  double sigma(int segment) const { return segment == segment_ ? sigma_ : kUnknown; }
 
  private:
   bool is_about(const std::vector<TrustedReference>& before) const;
 
   std::vector<TrustedReference> before_;
-  double sigma_ = kUnknown;
-  int segment_ = -1;        // of the map that was compared
   int since_ = 0;           // frame of the first comparison
   int next_ = 0;            // frame
   int last_keyframe_ = -1;  // that was compared

@@ -53,6 +53,13 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
 /// row by row: c00, c01, ..., c55.
 std::string covariances_csv(const Run& run);
 
+/// graph.csv, one row for each epoch and each constraint:
+/// what,segment,epoch,first_frame,last_frame,scale,sigma,holds. `what` is "epoch" or the kind of the
+/// constraint, whose frames are those of its keyframes; lengths of an epoch are `scale` times as long in the
+/// run, before
+/// --scale; those near the first keyframe of a constraint `scale` times those near the second.
+std::string graph_csv(const Run& run);
+
 /// scale.csv, the metric scale, one row for each frame:
 /// index,time,factor,sigma,samples,live_factor,live_sigma. Factors are metres per unit of the odometry,
 /// sigmas relative standard deviations; samples 0: not measured in this frame. The live columns hold what was

@@ -37,6 +37,9 @@ class LiveScale {
   /// points of a keyframe change with the lengths near it, to the unit of the newest keyframe, in which the
   /// next frames come.
   void apply(const MapMoved& moved);
+  /// The unit of the current segment's map was found to be another one from `first_keyframe` on: lengths
+  /// there are `ratio` times what they were taken for.
+  void rescale(int segment, int first_keyframe, double ratio);
 
   /// The latest estimate for the current segment; nullopt while there is none.
   const std::optional<ScaleEstimate>& newest() const { return newest_; }

@@ -37,13 +37,14 @@ class RunScaling {
 
  private:
   void add_waiting();
+  void follow(const EpochsPlaced& epochs);
 
   ScaleSource requested_;
   ScaleParams params_;
   VehicleTrack track_;
   LiveScale live_;
   /// By segment.
-  std::map<int, Sim3> T_world_map_;
+  std::map<int, Sim3> T_odom_map_;
   /// Keyframes that count once the next frame has come, unless that begins a segment: until it has a scale of
   /// its own, a segment has the one that the last frame before it had.
   std::vector<KeyframeMarginalised> waiting_;

@@ -38,8 +38,6 @@ class StationaryDetector {
   void follow(const StillCells& cells, const SE3& T_cur_ref, bool stands);
   /// Changes to another reference keyframe (MotionModel::change_reference).
   void change_reference(const SE3& T_old_new);
-  /// The map has set its unit back: lengths from now on over those before.
-  void rescale(double scale_ratio);
   /// Forgets the pose.
   void clear() { T_standing_ref_.reset(); }
 

@@ -38,8 +38,6 @@ class MotionModel {
   void begin_frame(Timestamp time);
   /// Adopts a frame's pose; after a gap the velocity is the mean over the gap.
   void follow(const SE3& T_cur_ref);
-  /// The map has set its unit back: lengths from now on over those before.
-  void rescale(double scale_ratio);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
   /// nothing: not known.
   void restart(const std::optional<SE3>& motion);

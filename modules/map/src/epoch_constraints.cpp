@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "epoch_constraints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace edgevo {
+namespace {
+
+// Two poses that are one within rounding still have a standard deviation, in median depths of a first map.
+constexpr double kLeastPosition = 1e-6;
+
+double variance_of(double sigma) { return sigma * sigma; }
+Sim3 to_sim3(const SE3& T) { return {1, T}; }
+
+}  // namespace
+
+Matrix7d covariance_of(double position, double rotation, double scale) {
+  Vector7d variances;
+  variances << Eigen::Vector3d::Constant(variance_of(std::max(position, kLeastPosition))),
+      Eigen::Vector3d::Constant(variance_of(rotation)), variance_of(scale);
+  return variances.asDiagonal();
+}
+
+Matrix7d covariance_of_scale(double sigma) {
+  Vector7d variances = Vector7d::Constant(std::numeric_limits<double>::infinity());
+  variances[6] = variance_of(sigma);
+  Matrix7d covariance = Matrix7d::Zero();
+  covariance.diagonal() = variances;
+  return covariance;
+}
+
+Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T_map_to, double scale) {
+  Constraint moved = c;
+  moved.T_from_to = to_sim3(T_map_from) * Sim3{scale, c.T_from_to.rigid} * to_sim3(T_map_to).inverse();
+  moved.centre = T_map_from * c.T_from_to.rigid.translation();
+  Matrix7d turn = Matrix7d::Identity();
+  turn.block<3, 3>(0, 0) = turn.block<3, 3>(3, 3) = T_map_from.R();
+  moved.covariance = turn * c.covariance * turn.transpose();
+  return moved;
+}
+
+Constraint in_world_unit(const Constraint& c, double scale_from, double fails, double times_as_uncertain) {
+  Constraint place = c;
+  place.T_from_to = {1, SE3(c.T_from_to.rigid.rotation(), scale_from * c.T_from_to.rigid.translation())};
+  place.centre *= scale_from;
+  Vector7d unit = Vector7d::Ones();
+  unit.head<3>().setConstant(scale_from);
+  unit[6] = 0;
+  place.covariance = unit.asDiagonal() * c.covariance * unit.asDiagonal();
+  place.failure.reset();
+  if (fails > 0) place.failure = {fails, variance_of(times_as_uncertain) * place.covariance};
+  return place;
+}
+
+Constraint of_scale_alone(const Constraint& c) {
+  Constraint scale = c;
+  scale.T_from_to = {c.T_from_to.scale, SE3()};
+  scale.centre.setZero();
+  scale.covariance = covariance_of_scale(std::sqrt(c.covariance(6, 6)));
+  if (scale.failure) scale.failure->covariance = covariance_of_scale(std::sqrt(c.failure->covariance(6, 6)));
+  return scale;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Constraints between the maps of epochs, split into what they say of the units and of the places.
+#include "edgevo/map/map_graph.h"
+
+namespace edgevo {
+
+/// Of independent errors: standard deviations of each coordinate of the place, of the rotation about each
+/// axis, and of the logarithm of the scale. A place is never more certain than rounding.
+Matrix7d covariance_of(double position, double rotation, double scale);
+/// Of a constraint that measures the unit alone: standard deviation of its logarithm.
+Matrix7d covariance_of_scale(double sigma);
+
+/// A constraint between keyframes as one between the maps that they are of, whose units are known: a length
+/// in the first over the same length in the second is `scale`. What may fail of it is left out.
+Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T_map_to, double scale);
+/// What a constraint says of the places alone, for nodes with the unit of the world, where lengths of its
+/// first node are `scale_from` times as long. It fails with the probability `fails`; its place is
+/// `times_as_uncertain` then.
+Constraint in_world_unit(const Constraint& c, double scale_from, double fails, double times_as_uncertain);
+/// What a constraint says of the unit alone.
+Constraint of_scale_alone(const Constraint& c);
+
+}  // namespace edgevo

@@ -1,0 +1,355 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/map/epochs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "doubtful_course.h"
+#include "edgevo/core/angle.h"
+#include "edgevo/core/motion_tolerance.h"
+#include "epoch_constraints.h"
+
+namespace edgevo {
+namespace {
+
+// Of a doubt that was groundless: standard deviations of the unit (logarithm), of the rotation, and of the
+// translation as a share of its length. By what corresponds to them in drives without a doubt.
+constexpr double kKeptScale = 0.01, kKeptRotation = rad(0.2), kKeptShare = 0.01;
+// Of a doubt that was right: nothing is known of the unit, a factor of e either way.
+constexpr double kLostScale = 1;
+// Share of doubts that end with another unit: chosen, between the 2 % of right frames that are doubted and
+// the half of provoked failures after which a unit is another one.
+constexpr double kLostProbability = 0.3;
+// That a guess by constant velocity fails, that features show a place that looks alike, and that they mistake
+// the unit. A place that failed is so many times as uncertain. Chosen; about one in five of provoked failures
+// showed another place, one in ten another unit.
+constexpr double kGuessFails = 0.05, kPlaceMistaken = 0.2, kUnitMistaken = 0.1, kWithoutPlace = 30;
+// Of a unit that is mistaken (logarithm): that of a bent map.
+constexpr double kMistakenScale = 0.3;
+
+double squared(double x) { return x * x; }
+
+}  // namespace
+
+// ---- the places ----
+
+const EpochPlace* PlacedEpochs::find(int segment, int keyframe_id) const {
+  const EpochPlace* found = nullptr;
+  for (const EpochPlace& e : epochs)
+    if (e.segment == segment && (!found || e.first_keyframe <= keyframe_id)) found = &e;
+  return found;
+}
+
+const Sim3& PlacedEpochs::T_world_map(int segment, int keyframe_id) const {
+  const auto own = between.find(keyframe_id);
+  return own != between.end() ? own->second : find(segment, keyframe_id)->T_world_map;
+}
+
+// ---- what is known ----
+
+void Epochs::begin_segment(const SegmentPlaced& placed, const Sim3& T_world_previous) {
+  Epoch epoch;
+  epoch.place = {placed.segment, 0, -1, placed.T_world_map, placed.scale_sigma};
+  epoch.method = placed.method;
+  epoch.rotation_sigma = placed.rotation_sigma;
+  epoch.position_sigma = placed.position_sigma / T_world_previous.scale;
+  if (!epochs_.empty()) epoch.T_previous = T_world_previous.inverse() * placed.T_world_map;
+  epochs_.push_back(std::move(epoch));
+}
+
+void Epochs::begin_epoch(const EpochBegan& began) {
+  // With frames in time a doubt may be evaluated when the next segment has begun.
+  const auto after = std::find_if(epochs_.rbegin(), epochs_.rend(),
+                                  [&](const Epoch& e) { return e.place.segment == began.segment; });
+  if (after == epochs_.rend() || began.first <= after->place.first_keyframe) return;
+  Epoch epoch;
+  epoch.place = {began.segment, after->place.epoch + 1, began.first, after->place.T_world_map, kLostScale};
+  epoch.last_before = std::min(began.last_before, began.first);
+  epochs_.insert(after.base(), std::move(epoch));
+}
+
+bool Epochs::refers_to(int keyframe_id) const {
+  const NodeId node = NodeId::keyframe(keyframe_id);
+  return std::any_of(constraints_.begin(), constraints_.end(),
+                     [&](const auto& c) { return c.second.from == node || c.second.to == node; }) ||
+         std::any_of(epochs_.begin(), epochs_.end(), [&](const Epoch& e) {
+           return e.last_before == keyframe_id || e.place.first_keyframe == keyframe_id;
+         });
+}
+
+// ---- the solution ----
+
+// First the units, by what measures units, then the places by these units: so no error of a place, which
+// grows with the path to it, is taken for one of the unit.
+class Epochs::Solver {
+ public:
+  Solver(const Epochs& known, const RunSoFar& run)
+      : epochs_(known.epochs_), run_(run), scales_(epochs_.size(), 1.0) {
+    for (size_t i = 0; i < epochs_.size(); ++i) courses_.push_back(course_before(i));
+    for (const auto& [id, c] : known.constraints_) reduce(id, c);
+  }
+
+  PlacedEpochs solve() {
+    PlacedEpochs placed;
+    for (const Epoch& e : epochs_) placed.epochs.push_back(e.place);
+    if (!constraints_.empty()) {
+      find_units(&placed);
+      find_places(&placed);
+    }
+    add_unknown_variance(&placed);
+    for (size_t i = 1; i < epochs_.size(); ++i) place_between(i, &placed);
+    return placed;
+  }
+
+ private:
+  struct Reduced {  // a constraint between epochs
+    int id;
+    size_t from, to;
+    SE3 T_map_from, T_map_to;  // of its keyframes
+    Constraint constraint;
+  };
+
+  // The first epoch is the world.
+  NodeId node(size_t i) const {
+    return i == 0 ? NodeId::world() : NodeId::epoch(epochs_[i].place.segment, epochs_[i].place.epoch);
+  }
+  bool continues(size_t i) const { return epochs_[i].last_before >= 0; }
+
+  std::optional<DoubtfulCourse> course_before(size_t i) const {
+    if (!continues(i)) return std::nullopt;
+    const EpochPlace& place = epochs_[i].place;
+    std::vector<KeyframeInMap> keyframes =
+        run_.keyframes(place.segment, epochs_[i].last_before, place.first_keyframe);
+    if (keyframes.size() < 2) return std::nullopt;
+    return DoubtfulCourse(std::move(keyframes), run_.doubt);
+  }
+
+  std::optional<size_t> epoch_of(const KeyframeInMap& k) const {
+    std::optional<size_t> found;
+    for (size_t i = 0; i < epochs_.size(); ++i) {
+      const EpochPlace& e = epochs_[i].place;
+      if (e.segment == k.segment && (!found || e.first_keyframe <= k.id)) found = i;
+    }
+    return found;
+  }
+
+  // One whose keyframes are not known, or of one epoch, says nothing of epochs.
+  void reduce(int id, const Constraint& c) {
+    if (c.from.kind() != NodeId::Kind::kKeyframe || c.to.kind() != NodeId::Kind::kKeyframe) return;
+    const auto from = run_.keyframe(c.from.number()), to = run_.keyframe(c.to.number());
+    if (!from || !to) return;
+    const auto a = epoch_of(*from), b = epoch_of(*to);
+    if (!a || !b || a == b) return;
+    constraints_.push_back({id, *a, *b, from->T_map_cam, to->T_map_cam, c});
+    constraints_.back().constraint.from = node(*a), constraints_.back().constraint.to = node(*b);
+  }
+
+  Constraint join(size_t i, const Sim3& T_from_to, ConstraintKind kind) const {
+    Constraint c;
+    c.from = node(i - 1), c.to = node(i);
+    c.T_from_to = T_from_to;
+    c.kind = kind;
+    return c;
+  }
+
+  static ConstraintKind kind_of(SegmentPlaced::Method method) {
+    switch (method) {
+      case SegmentPlaced::Method::kDepthRatio:
+        return ConstraintKind::kDepthRatio;
+      case SegmentPlaced::Method::kVelocity:
+        return ConstraintKind::kSpeed;
+      default:
+        return ConstraintKind::kStandstill;
+    }
+  }
+  // One that features link has constraints of its own.
+  bool is_joined(size_t i) const {
+    return epochs_[i].T_previous && epochs_[i].method != SegmentPlaced::Method::kLinked &&
+           epochs_[i].method != SegmentPlaced::Method::kOrigin;
+  }
+
+  Constraint continuity_of_unit(size_t i) const {
+    Constraint c = join(i, Sim3(), ConstraintKind::kContinuity);
+    c.covariance = covariance_of_scale(kKeptScale);
+    c.failure = {kLostProbability, covariance_of_scale(kLostScale)};
+    return c;
+  }
+  Constraint join_of_segment(size_t i) const {
+    const Epoch& e = epochs_[i];
+    Constraint c = join(i, *e.T_previous, kind_of(e.method));
+    c.covariance = covariance_of(e.position_sigma, e.rotation_sigma, e.place.scale_sigma);
+    c.centre = c.T_from_to.rigid.translation();
+    return c;
+  }
+
+  // ---- units ----
+
+  // Depths that share a young or bent map have errors in common, which their spread does not show.
+  static Constraint link_of_unit(const Reduced& r) {
+    Constraint c = of_scale_alone(r.constraint);
+    if (!c.failure)
+      c.failure = {kUnitMistaken,
+                   covariance_of_scale(std::max(kMistakenScale, std::sqrt(c.covariance(6, 6))))};
+    return c;
+  }
+  // As `trusted` says where it relates two epochs (null: nothing does), else as the epoch before.
+  std::vector<double> guess_scales(const Reduced* trusted) const {
+    std::vector<double> scales(epochs_.size(), 1.0);
+    for (size_t i = 1; i < epochs_.size(); ++i) {
+      scales[i] = scales[i - 1] * (is_joined(i) ? epochs_[i].T_previous->scale : 1);
+      if (!trusted || std::max(trusted->from, trusted->to) != i) continue;
+      const double ratio = trusted->constraint.T_from_to.scale;
+      scales[i] = trusted->to == i ? scales[trusted->from] * ratio : scales[trusted->to] / ratio;
+    }
+    return scales;
+  }
+
+  // From several guesses: that all doubts were groundless, and that one of the constraints is right.
+  GraphSolution solve_units(MapGraph* graph) const {
+    std::optional<GraphSolution> best;
+    for (size_t k = 0; k <= constraints_.size(); ++k) {
+      const std::vector<double> scales = guess_scales(k > 0 ? &constraints_[k - 1] : nullptr);
+      for (size_t i = 1; i < epochs_.size(); ++i) graph->set_guess(node(i), {scales[i], SE3()});
+      GraphSolution found = graph->solve(MapGraph::Sigmas::kEpochs);
+      if (!best || found.cost < best->cost) best = std::move(found);
+    }
+    return *best;
+  }
+
+  void find_units(PlacedEpochs* placed) {
+    MapGraph graph;
+    std::map<int, size_t> continuity;  // by number in the graph
+    std::map<int, int> id_of;
+    for (size_t i = 1; i < epochs_.size(); ++i) graph.add_node(node(i), Sim3());
+    for (size_t i = 1; i < epochs_.size(); ++i) {
+      if (continues(i)) continuity[graph.add(continuity_of_unit(i))] = i;
+      if (is_joined(i)) graph.add(of_scale_alone(join_of_segment(i)));
+    }
+    for (const Reduced& r : constraints_) id_of[graph.add(link_of_unit(r))] = r.id;
+    const GraphSolution found = solve_units(&graph);
+    for (const int failed : found.failed) {
+      if (const auto c = continuity.find(failed); c != continuity.end()) lost_.insert(c->second);
+      if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
+    }
+    for (size_t i = 1; i < epochs_.size(); ++i) {
+      const NodeSolution& solution = found.nodes.at(node(i));
+      scales_[i] = solution.T_world_node.scale;
+      placed->epochs[i].scale_sigma = solution.log_scale_sigma;
+    }
+  }
+
+  // ---- places ----
+
+  double ratio(size_t from, size_t to) const { return scales_[to] / scales_[from]; }
+
+  // The same map: what lies after the doubt may have turned and moved about the end of the course.
+  Constraint continuity_of_place(size_t i) const {
+    Constraint c = join(i, {ratio(i - 1, i), SE3()}, ConstraintKind::kContinuity);
+    c.covariance = covariance_of(kLeastPosition, kKeptRotation, 1);
+    if (!courses_[i]) return c;
+    const DoubtfulCourse& course = *courses_[i];
+    c.centre = course.end(c.T_from_to.scale);
+    const Eigen::Vector3d last = course.keyframes().back().T_map_cam.translation();
+    c.T_from_to.rigid = SE3(Eigen::Quaterniond::Identity(), c.centre - c.T_from_to.scale * last);
+    const double tolerances = std::sqrt(double(course.frames()) / kMotionTolerance.frames);
+    c.covariance = lost_.count(i) == 0 ? covariance_of(kKeptShare * course.length(), kKeptRotation, 1)
+                                       : covariance_of(course.length() * std::max(1.0, c.T_from_to.scale),
+                                                       rad(kMotionTolerance.rotation_deg) * tolerances, 1);
+    return c;
+  }
+  std::optional<Constraint> join_of_place(size_t i) const {
+    if (continues(i)) return continuity_of_place(i);
+    return is_joined(i) ? std::optional(join_of_segment(i)) : std::nullopt;
+  }
+  Constraint link_of_place(const Reduced& r) const {
+    return between_maps(r.constraint, r.T_map_from, r.T_map_to, ratio(r.from, r.to));
+  }
+
+  // Whether two constraints of the same epochs show one place, within three standard deviations.
+  bool show_one_place(const Reduced& a, const Reduced& b) const {
+    constexpr double kSigmas = 3;
+    if (a.from != b.from || a.to != b.to) return false;
+    const Constraint first = link_of_place(a), second = link_of_place(b);
+    const auto sigma = [&](int i) { return std::sqrt(first.covariance(i, i) + second.covariance(i, i)); };
+    const Eigen::Vector3d camera = a.T_map_to.translation();
+    const double apart = (first.T_from_to * camera - second.T_from_to * camera).norm();
+    const double turned = (first.T_from_to.rigid.inverse() * second.T_from_to.rigid).angle();
+    return apart < kSigmas * sigma(0) && turned < kSigmas * sigma(3);
+  }
+  // Scenes repeat themselves: of several constraints of the same epochs one that no other confirms shows a
+  // place that looks alike.
+  bool is_mistaken(const Reduced& r) const {
+    int others = 0, agreeing = 0;
+    for (const Reduced& other : constraints_)
+      if (other.id != r.id && other.from == r.from && other.to == r.to)
+        ++others, agreeing += show_one_place(r, other);
+    return others > 0 && agreeing == 0;
+  }
+
+  // The nodes have the unit of the world.
+  void find_places(PlacedEpochs* placed) const {
+    for (const Reduced& r : constraints_)
+      if (!placed->is_unused(r.id) && is_mistaken(r)) placed->unused.push_back(r.id);
+    MapGraph graph;
+    const Sim3& T_run_first = epochs_[0].place.T_world_map;
+    for (size_t i = 1; i < epochs_.size(); ++i) {
+      const Sim3 guess = T_run_first.inverse() * epochs_[i].place.T_world_map;
+      graph.add_node(node(i), {1, guess.rigid});
+    }
+    for (size_t i = 1; i < epochs_.size(); ++i)
+      if (const auto c = join_of_place(i))
+        graph.add(in_world_unit(*c, scales_[i - 1], continues(i) ? 0 : kGuessFails, kWithoutPlace));
+    std::map<int, int> id_of;
+    for (const Reduced& r : constraints_)
+      if (!placed->is_unused(r.id))
+        id_of[graph.add(in_world_unit(link_of_place(r), scales_[r.from], kPlaceMistaken, kWithoutPlace))] =
+            r.id;
+    const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
+    for (const int failed : found.failed)
+      if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
+    for (size_t i = 1; i < epochs_.size(); ++i)
+      placed->epochs[i].T_world_map =
+          T_run_first * Sim3{scales_[i], found.nodes.at(node(i)).T_world_node.rigid};
+  }
+
+  bool is_spanned(size_t i) const {
+    return std::any_of(constraints_.begin(), constraints_.end(), [&](const Reduced& r) {
+      return std::min(r.from, r.to) < i && std::max(r.from, r.to) >= i;
+    });
+  }
+  // Nothing but continuity relates what lies before such a doubt to what lies after it.
+  bool is_bridge(size_t i) const { return continues(i) && !is_spanned(i); }
+  // It may have failed unseen.
+  void add_unknown_variance(PlacedEpochs* placed) const {
+    double variance = 0;
+    for (size_t i = 1; i < epochs_.size(); ++i) {
+      if (is_bridge(i)) variance += kLostProbability * squared(kLostScale);
+      double& sigma = placed->epochs[i].scale_sigma;
+      if (constraints_.empty() && continues(i)) sigma = placed->epochs[i - 1].scale_sigma;
+      sigma = std::sqrt(squared(sigma) + variance);
+    }
+  }
+
+  void place_between(size_t i, PlacedEpochs* placed) const {
+    if (!courses_[i]) return;
+    const std::vector<Sim3> places =
+        courses_[i]->place(placed->epochs[i - 1].T_world_map, placed->epochs[i].T_world_map);
+    for (size_t k = 1; k + 1 < places.size(); ++k)
+      placed->between[courses_[i]->keyframes()[k].id] = places[k];
+  }
+
+  const std::vector<Epoch>& epochs_;
+  const RunSoFar& run_;
+  std::vector<std::optional<DoubtfulCourse>> courses_;  // before each epoch
+  std::vector<Reduced> constraints_;
+  std::set<size_t> lost_;       // epochs whose unit is not that of the one before
+  std::vector<double> scales_;  // of the epochs in the world
+};
+
+PlacedEpochs Epochs::solve(const RunSoFar& run) const {
+  return epochs_.empty() ? PlacedEpochs() : Solver(*this, run).solve();
+}
+
+}  // namespace edgevo
