@@ -7,6 +7,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
+#include "edgevo/core/sim3.h"
 #include "edgevo/evaluation/evaluate.h"
 #include "edgevo/evaluation/time_matching.h"
 
