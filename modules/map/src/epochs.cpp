@@ -26,10 +26,23 @@ constexpr double kLostProbability = 0.3;
 // the unit. A place that failed is so many times as uncertain. Chosen; about one in five of provoked failures
 // showed another place, one in ten another unit.
 constexpr double kGuessFails = 0.05, kPlaceMistaken = 0.2, kUnitMistaken = 0.1, kWithoutPlace = 30;
+// Of the place after a doubt whose keyframes are not known (any more): ten median depths of a first map.
+constexpr double kUnknownCourse = 100, kUnknownRotation = 1;  // rad
+// Of a join, however slow the camera was: the tolerance of a right motion, 2 % of the median depth of a first
+// map.
+constexpr double kLeastJoin = 0.2;
 // Of a unit that is mistaken (logarithm): that of a bent map.
 constexpr double kMistakenScale = 0.3;
 
 double squared(double x) { return x * x; }
+
+// A pose of an adjustment that failed must not end the run.
+bool is_sound(const KeyframeInMap& k) { return k.T_map_cam.is_finite(); }
+bool is_sound(const Constraint& c) {
+  return c.T_from_to.rigid.is_finite() && c.T_from_to.scale > 0 && std::isfinite(c.T_from_to.scale) &&
+         c.covariance.allFinite() && (c.covariance.diagonal().array() > 0).all();
+}
+bool is_sound(const Sim3& T) { return T.rigid.is_finite() && T.scale > 0 && std::isfinite(T.scale); }
 
 }  // namespace
 
@@ -53,9 +66,14 @@ void Epochs::begin_segment(const SegmentPlaced& placed, const Sim3& T_world_prev
   Epoch epoch;
   epoch.place = {placed.segment, 0, -1, placed.T_world_map, placed.scale_sigma};
   epoch.method = placed.method;
-  epoch.rotation_sigma = placed.rotation_sigma;
-  epoch.position_sigma = placed.position_sigma / T_world_previous.scale;
-  if (!epochs_.empty()) epoch.T_previous = T_world_previous.inverse() * placed.T_world_map;
+  // Of a segment that features link, or that no velocity places, hardly anything is known but by constraints.
+  const bool is_guess = placed.rotation_sigma > 0;
+  epoch.rotation_sigma = is_guess ? placed.rotation_sigma : kUnknownRotation;
+  epoch.position_sigma =
+      is_guess ? std::max(placed.position_sigma / T_world_previous.scale, kLeastJoin) : kUnknownCourse;
+  epoch.join_sigma = is_guess && placed.scale_sigma > 0 ? placed.scale_sigma : kLostScale;
+  if (!epochs_.empty() && is_sound(placed.T_world_map))
+    epoch.T_previous = T_world_previous.inverse() * placed.T_world_map;
   epochs_.push_back(std::move(epoch));
 }
 
@@ -122,7 +140,9 @@ class Epochs::Solver {
     const EpochPlace& place = epochs_[i].place;
     std::vector<KeyframeInMap> keyframes =
         run_.keyframes(place.segment, epochs_[i].last_before, place.first_keyframe);
-    if (keyframes.size() < 2) return std::nullopt;
+    const bool all =
+        std::all_of(keyframes.begin(), keyframes.end(), [](const auto& k) { return is_sound(k); });
+    if (keyframes.size() < 2 || !all) return std::nullopt;
     return DoubtfulCourse(std::move(keyframes), run_.doubt);
   }
 
@@ -139,7 +159,7 @@ class Epochs::Solver {
   void reduce(int id, const Constraint& c) {
     if (c.from.kind() != NodeId::Kind::kKeyframe || c.to.kind() != NodeId::Kind::kKeyframe) return;
     const auto from = run_.keyframe(c.from.number()), to = run_.keyframe(c.to.number());
-    if (!from || !to) return;
+    if (!from || !to || !is_sound(c) || !is_sound(*from) || !is_sound(*to)) return;
     const auto a = epoch_of(*from), b = epoch_of(*to);
     if (!a || !b || a == b) return;
     constraints_.push_back({id, *a, *b, from->T_map_cam, to->T_map_cam, c});
@@ -164,11 +184,8 @@ class Epochs::Solver {
         return ConstraintKind::kStandstill;
     }
   }
-  // One that features link has constraints of its own.
-  bool is_joined(size_t i) const {
-    return epochs_[i].T_previous && epochs_[i].method != SegmentPlaced::Method::kLinked &&
-           epochs_[i].method != SegmentPlaced::Method::kOrigin;
-  }
+  // One that features link has constraints of its own, but those may turn out to be mistaken.
+  bool is_joined(size_t i) const { return epochs_[i].T_previous.has_value(); }
 
   Constraint continuity_of_unit(size_t i) const {
     Constraint c = join(i, Sim3(), ConstraintKind::kContinuity);
@@ -179,7 +196,7 @@ class Epochs::Solver {
   Constraint join_of_segment(size_t i) const {
     const Epoch& e = epochs_[i];
     Constraint c = join(i, *e.T_previous, kind_of(e.method));
-    c.covariance = covariance_of(e.position_sigma, e.rotation_sigma, e.place.scale_sigma);
+    c.covariance = covariance_of(e.position_sigma, e.rotation_sigma, e.join_sigma);
     c.centre = c.T_from_to.rigid.translation();
     return c;
   }
@@ -198,7 +215,7 @@ class Epochs::Solver {
   std::vector<double> guess_scales(const Reduced* trusted) const {
     std::vector<double> scales(epochs_.size(), 1.0);
     for (size_t i = 1; i < epochs_.size(); ++i) {
-      scales[i] = scales[i - 1] * (is_joined(i) ? epochs_[i].T_previous->scale : 1);
+      scales[i] = scales[i - 1] * (epochs_[i].T_previous ? epochs_[i].T_previous->scale : 1);
       if (!trusted || std::max(trusted->from, trusted->to) != i) continue;
       const double ratio = trusted->constraint.T_from_to.scale;
       scales[i] = trusted->to == i ? scales[trusted->from] * ratio : scales[trusted->to] / ratio;
@@ -247,8 +264,10 @@ class Epochs::Solver {
   // The same map: what lies after the doubt may have turned and moved about the end of the course.
   Constraint continuity_of_place(size_t i) const {
     Constraint c = join(i, {ratio(i - 1, i), SE3()}, ConstraintKind::kContinuity);
-    c.covariance = covariance_of(kLeastPosition, kKeptRotation, 1);
-    if (!courses_[i]) return c;
+    if (!courses_[i]) {
+      c.covariance = covariance_of(kUnknownCourse * scales_[i], kKeptRotation, 1);
+      return c;
+    }
     const DoubtfulCourse& course = *courses_[i];
     c.centre = course.end(c.T_from_to.scale);
     const Eigen::Vector3d last = course.keyframes().back().T_map_cam.translation();
@@ -280,18 +299,19 @@ class Epochs::Solver {
   }
   // Scenes repeat themselves: of several constraints of the same epochs one that no other confirms shows a
   // place that looks alike.
-  bool is_mistaken(const Reduced& r) const {
+  bool is_mistaken(const Reduced& r, const PlacedEpochs& by_units) const {
     int others = 0, agreeing = 0;
     for (const Reduced& other : constraints_)
-      if (other.id != r.id && other.from == r.from && other.to == r.to)
+      if (other.id != r.id && other.from == r.from && other.to == r.to && !by_units.is_unused(other.id))
         ++others, agreeing += show_one_place(r, other);
     return others > 0 && agreeing == 0;
   }
 
   // The nodes have the unit of the world.
   void find_places(PlacedEpochs* placed) const {
+    const PlacedEpochs by_units = *placed;
     for (const Reduced& r : constraints_)
-      if (!placed->is_unused(r.id) && is_mistaken(r)) placed->unused.push_back(r.id);
+      if (!by_units.is_unused(r.id) && is_mistaken(r, by_units)) placed->unused.push_back(r.id);
     MapGraph graph;
     const Sim3& T_run_first = epochs_[0].place.T_world_map;
     for (size_t i = 1; i < epochs_.size(); ++i) {
@@ -323,12 +343,12 @@ class Epochs::Solver {
   bool is_bridge(size_t i) const { return continues(i) && !is_spanned(i); }
   // It may have failed unseen.
   void add_unknown_variance(PlacedEpochs* placed) const {
-    double variance = 0;
+    double unseen = 0, announced = 0;  // variances
     for (size_t i = 1; i < epochs_.size(); ++i) {
-      if (is_bridge(i)) variance += kLostProbability * squared(kLostScale);
       double& sigma = placed->epochs[i].scale_sigma;
-      if (constraints_.empty() && continues(i)) sigma = placed->epochs[i - 1].scale_sigma;
-      sigma = std::sqrt(squared(sigma) + variance);
+      if (is_bridge(i)) unseen += kLostProbability * squared(kLostScale);
+      if (constraints_.empty() && !continues(i)) announced += squared(epochs_[i].place.scale_sigma);
+      sigma = std::sqrt((constraints_.empty() ? announced : squared(sigma)) + unseen);
     }
   }
 

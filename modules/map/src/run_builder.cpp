@@ -84,6 +84,7 @@ void RunBuilder::apply(const MapEvent& event) {
 }
 
 void RunBuilder::handle(const SegmentPlaced& e) {
+  if (e.segment < 0 || size_t(e.segment) > T_odom_map_.size()) return;  // in a damaged log only
   if (!is_known(e.segment)) {
     epochs_.begin_segment(e, T_odom_map_.empty() ? Sim3() : T_odom_map_.back());
     T_odom_map_.resize(size_t(e.segment) + 1);
@@ -300,7 +301,9 @@ void RunBuilder::finish_row(const PlacedEpochs& placed, const std::map<int, int>
   multiply_lengths(length, &frame);
   const auto keyframe = position_of_keyframe.find(anchor.keyframe_id);
   if (keyframe == position_of_keyframe.end()) {
-    frame.T_world_cam = frame.T_world_cam_live;
+    frame.T_world_cam =
+        forgets() ? frame.T_world_cam_live
+                  : placed.T_world_map(frame.segment, anchor.keyframe_id).apply(anchor.T_cam_map.inverse());
     return;
   }
   frame.reference_keyframe = keyframe->second;

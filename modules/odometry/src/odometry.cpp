@@ -261,7 +261,8 @@ void Odometry::Impl::keep_links(const ScaleAnswer& answer) {
 
 void Odometry::Impl::report_links(const ArrivedFrame& now, const ScaleAnswer& answer) {
   const std::optional<RelativeScale>& unit = answer.found().unit;
-  if (answer.ends_doubt) now.record->evidence.unit = unit;
+  const bool is_of_this_map = answer.now.segment == state.segment();
+  if (answer.ends_doubt && is_of_this_map) now.record->evidence.unit = unit;
   if (!unit || !(answer.ends_doubt || unit->is_linked())) return;
   const char* what = answer.ends_doubt ? "sure again; " : "the view before the doubt is seen again; ";
   report(now.frame, what + in_words(*unit));

@@ -74,7 +74,7 @@ class RunBuilder {
   /// Returns their number.
   size_t adopt_window();
   /// Returns final poses and keyframes in the world. A frame whose keyframe is not known (one that a killed
-  /// run had not brought to the disk) keeps its live pose. Call once.
+  /// run had not brought to the disk) has its pose as it was tracked in the map. Call once.
   Run finish();
 
  private:

@@ -40,10 +40,10 @@ struct ScaleAnswer {
 
   /// What counts.
   const DoubtEvaluation& found() const { return compared.back().found; }
-  /// Whether a doubt ended in the map in which it began, and another reference is in use since.
+  /// Whether a doubt ended in the map in which it began, and the reference is a later keyframe since.
   bool begins_epoch() const {
     return ends_doubt && last_before && last_before->segment == now.segment &&
-           last_before->reference != now.reference;
+           last_before->reference->keyframe_id < now.reference->keyframe_id;
   }
 };
 
