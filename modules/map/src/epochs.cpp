@@ -23,8 +23,8 @@ constexpr double kLostScale = 1;
 // the half of provoked failures after which a unit is another one.
 constexpr double kLostProbability = 0.3;
 // That a guess by constant velocity fails, that features show a place that looks alike, and that they mistake
-// the unit. A place that failed is so many times as uncertain. Chosen; about one in five of provoked failures
-// showed another place, one in ten another unit.
+// the unit. A place that failed is so many times as uncertain. Chosen by their order, not fitted: places that
+// look alike are commoner than bent maps, and a camera seldom leaves what its speed says by sigmas.
 constexpr double kGuessFails = 0.05, kPlaceMistaken = 0.2, kUnitMistaken = 0.1, kWithoutPlace = 30;
 // Of the place after a doubt whose keyframes are not known (any more): ten median depths of a first map.
 constexpr double kUnknownCourse = 100, kUnknownRotation = 1;  // rad
