@@ -12,7 +12,7 @@ Matrix7d covariance_of(double position, double rotation, double scale);
 Matrix7d covariance_of_scale(double sigma);
 
 /// A constraint between keyframes as one between the maps that they are of, whose units are known: a length
-/// in the first over the same length in the second is `scale`. What may fail of it is left out.
+/// in the first over the same length in the second is `scale`. How it may fail is not part of it.
 Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T_map_to, double scale);
 /// What a constraint says of the places alone, for nodes with the unit of the world, where lengths of its
 /// first node are `scale_from` times as long. It fails with the probability `fails`; its place is

@@ -288,7 +288,9 @@ void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.note = record.note;
   newest_pose.p_right = record.p_right;
   newest_pose.segment = state.has_map() ? state.segment() : -1;
-  if (state.has_map()) newest_pose.T_odom_map = frames.T_odom_map(state.segment());
+  const Sim3 T_odom_map = state.has_map() ? frames.T_odom_map(state.segment()) : Sim3();
+  newest_pose.T_odom_map = T_odom_map.rigid;
+  newest_pose.odom_scale = T_odom_map.scale;
   const WorldOfOdometry& world = frames.world_of_odometry();
   newest_pose.T_world_odom = world.T_world_odom;
   newest_pose.world_changes = world.changes;

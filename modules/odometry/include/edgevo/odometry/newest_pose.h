@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "edgevo/core/sim3.h"
+#include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
 
@@ -33,14 +33,16 @@ struct NewestPose {
   int segment = -1;
   /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.
   std::optional<SE3> T_cam_map;
-  /// From the segment's map to the frame of live poses, in which nothing jumps.
-  Sim3 T_odom_map;
+  /// From the segment's map to the frame of live poses, in which nothing jumps: p_odom = odom_scale R p + t.
+  SE3 T_odom_map;
+  /// See T_odom_map.
+  double odom_scale = 1;
   /// From that frame to the world, as known by now, and the number of its changes so far: it changes when
   /// something is found about the past.
   SE3 T_world_odom;
   /// See T_world_odom.
   int world_changes = 0;
-  /// Standard deviation of the logarithm of the unit of length of `T_odom_map`; 0: that of the run.
+  /// Standard deviation of the logarithm of `odom_scale`; 0: that of the run.
   double scale_sigma = 0;
   /// Covariance of xi in T_cam_map <- exp(xi) T_cam_map, tangent [v, w], with the scale assumed known
   /// (alignment/pose_covariance.h). Zero: unknown.
