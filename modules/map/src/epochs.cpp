@@ -26,8 +26,9 @@ constexpr double kLostProbability = 0.3;
 // the unit. A place that failed is so many times as uncertain. Chosen by their order, not fitted: places that
 // look alike are commoner than bent maps, and a camera seldom leaves what its speed says by sigmas.
 constexpr double kGuessFails = 0.05, kPlaceMistaken = 0.2, kUnitMistaken = 0.1, kWithoutPlace = 30;
-// Of the place after a doubt whose keyframes are not known (any more): ten median depths of a first map.
-constexpr double kUnknownCourse = 100, kUnknownRotation = 1;  // rad
+// Of the place after a doubt whose keyframes are not known (any more), and of a join without a velocity: ten
+// median depths of a first map, and any direction (rad).
+constexpr double kUnknownCourse = 100, kUnknownRotation = 1;
 // Of a join, however slow the camera was: the tolerance of a right motion, 2 % of the median depth of a first
 // map.
 constexpr double kLeastJoin = 0.2;
@@ -65,7 +66,6 @@ const Sim3& PlacedEpochs::T_world_map(int segment, int keyframe_id) const {
 void Epochs::begin_segment(const SegmentPlaced& placed, const Sim3& T_world_previous) {
   Epoch epoch;
   epoch.place = {placed.segment, 0, -1, placed.T_world_map, placed.scale_sigma};
-  epoch.method = placed.method;
   // Of a segment that features link, or that no velocity places, hardly anything is known but by constraints.
   const bool is_guess = placed.rotation_sigma > 0;
   epoch.rotation_sigma = is_guess ? placed.rotation_sigma : kUnknownRotation;
@@ -166,36 +166,27 @@ class Epochs::Solver {
     constraints_.back().constraint.from = node(*a), constraints_.back().constraint.to = node(*b);
   }
 
-  Constraint join(size_t i, const Sim3& T_from_to, ConstraintKind kind) const {
+  // To the epoch before.
+  Constraint join(size_t i, const Sim3& T_from_to) const {
     Constraint c;
     c.from = node(i - 1), c.to = node(i);
     c.T_from_to = T_from_to;
-    c.kind = kind;
+    c.kind = ConstraintKind::kContinuity;
     return c;
   }
 
-  static ConstraintKind kind_of(SegmentPlaced::Method method) {
-    switch (method) {
-      case SegmentPlaced::Method::kDepthRatio:
-        return ConstraintKind::kDepthRatio;
-      case SegmentPlaced::Method::kVelocity:
-        return ConstraintKind::kSpeed;
-      default:
-        return ConstraintKind::kStandstill;
-    }
-  }
   // One that features link has constraints of its own, but those may turn out to be mistaken.
   bool is_joined(size_t i) const { return epochs_[i].T_previous.has_value(); }
 
   Constraint continuity_of_unit(size_t i) const {
-    Constraint c = join(i, Sim3(), ConstraintKind::kContinuity);
+    Constraint c = join(i, Sim3());
     c.covariance = covariance_of_scale(kKeptScale);
     c.failure = {kLostProbability, covariance_of_scale(kLostScale)};
     return c;
   }
   Constraint join_of_segment(size_t i) const {
     const Epoch& e = epochs_[i];
-    Constraint c = join(i, *e.T_previous, kind_of(e.method));
+    Constraint c = join(i, *e.T_previous);
     c.covariance = covariance_of(e.position_sigma, e.rotation_sigma, e.join_sigma);
     c.centre = c.T_from_to.rigid.translation();
     return c;
@@ -263,9 +254,9 @@ class Epochs::Solver {
 
   // The same map: what lies after the doubt may have turned and moved about the end of the course.
   Constraint continuity_of_place(size_t i) const {
-    Constraint c = join(i, {ratio(i - 1, i), SE3()}, ConstraintKind::kContinuity);
+    Constraint c = join(i, {ratio(i - 1, i), SE3()});
     if (!courses_[i]) {
-      c.covariance = covariance_of(kUnknownCourse * scales_[i], kKeptRotation, 1);
+      c.covariance = covariance_of(kUnknownCourse, kKeptRotation, 1);
       return c;
     }
     const DoubtfulCourse& course = *courses_[i];
@@ -289,7 +280,6 @@ class Epochs::Solver {
   // Whether two constraints of the same epochs show one place, within three standard deviations.
   bool show_one_place(const Reduced& a, const Reduced& b) const {
     constexpr double kSigmas = 3;
-    if (a.from != b.from || a.to != b.to) return false;
     const Constraint first = link_of_place(a), second = link_of_place(b);
     const auto sigma = [&](int i) { return std::sqrt(first.covariance(i, i) + second.covariance(i, i)); };
     const Eigen::Vector3d camera = a.T_map_to.translation();

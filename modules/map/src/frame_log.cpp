@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/frame_log.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -74,6 +75,7 @@ double FrameLog::reported_ratio(int frame_index, int segment, const SE3& T_cam_m
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {
   log_->append(placed);
+  world_.scale_sigma = std::hypot(world_.scale_sigma, placed.scale_sigma);
   run();
 }
 

@@ -314,7 +314,7 @@ Run Odometry::Impl::finish() {
 FrameView Odometry::Impl::frame_view() const {
   if (!state.has_pose() || !front_end.reference() || waits_for_map())
     return {front_end.newest_pyramid(), {}, -1};
-  // From the segment's map to the world lengths are multiplied by the scale.
+  // From the segment's map to the frame of live poses lengths are multiplied by the scale.
   return front_end.view(1.0 / frames.T_odom_map(state.segment()).scale);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/run_quality/closing_lines.h"
 
+#include <algorithm>
+
 #include "edgevo/core/formatted.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/run_quality/run_statistics.h"
@@ -22,6 +24,17 @@ void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
         {formatted("and %zu shorter intervals, listed in summary.yaml", all.size() - shown.size()), true});
 }
 
+// Decided by the rest of the run, so that who reads it should be able to look.
+void add_mistaken(const Run& run, std::vector<ClosingLine>* lines) {
+  const auto mistaken = std::count_if(run.constraints.begin(), run.constraints.end(),
+                                      [](const ConstraintRecord& c) { return !c.holds; });
+  if (mistaken > 0)
+    lines->push_back(
+        {formatted("%td of %zu links between views before and after a doubt contradict the rest "
+                   "and do not count (graph.csv)",
+                   mistaken, run.constraints.size())});
+}
+
 }  // namespace
 
 std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, bool include_doubtful) {
@@ -32,6 +45,7 @@ std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, b
                              n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines) +
                    run.scale_source});
   add_doubtful(run, &lines);
+  add_mistaken(run, &lines);
   if (n.doubtful_keyframes > 0 && !include_doubtful)
     lines.push_back(
         {formatted("%d keyframes were made in doubt: the maps are without their points "

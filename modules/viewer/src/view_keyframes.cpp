@@ -10,6 +10,7 @@ void ViewKeyframes::apply(const Pinhole& pinhole, const MapEvent& event) {
     placed_.epochs.push_back({placed->segment, 0, -1, placed->T_world_map, placed->scale_sigma});
   } else if (const auto* epochs = std::get_if<EpochsPlaced>(&event)) {
     placed_.epochs = epochs->epochs;
+    T_odom_world_ = epochs->T_world_odom.inverse();
     ++moves_;
   } else if (const auto* marginalised = std::get_if<KeyframeMarginalised>(&event)) {
     place_[marginalised->id] = keyframes_.size();
@@ -32,10 +33,10 @@ void ViewKeyframes::move(const Pinhole& pinhole, const MapMoved& moved) {
   ++moves_;
 }
 
-KeyframeRecord ViewKeyframes::in_world(size_t i) const {
+KeyframeRecord ViewKeyframes::in_live_frame(size_t i) const {
   KeyframeRecord keyframe = *keyframes_[i];
   if (const EpochPlace* epoch = placed_.find(keyframe.segment, ids_[i]))
-    move_to_world(epoch->T_world_map, &keyframe);
+    move_to_world(Sim3{1, T_odom_world_} * epoch->T_world_map, &keyframe);
   return keyframe;
 }
 

@@ -18,8 +18,9 @@ class ViewKeyframes {
 
   /// Number of keyframes so far.
   size_t size() const { return keyframes_.size(); }
-  /// The i-th of them, in the order of their marginalisation, in the world. Cost: a copy.
-  KeyframeRecord in_world(size_t i) const;
+  /// The i-th of them, in the order of their marginalisation, in the frame of live poses, which the camera is
+  /// drawn in. Cost: a copy.
+  KeyframeRecord in_live_frame(size_t i) const;
   /// Changes whenever keyframes that are here have moved.
   int moves() const { return moves_; }
 
@@ -33,6 +34,7 @@ class ViewKeyframes {
   /// Their ids.
   std::vector<int> ids_;
   PlacedEpochs placed_;
+  SE3 T_odom_world_;  // EpochsPlaced
   int moves_ = 0;
 };
 

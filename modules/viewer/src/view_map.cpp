@@ -80,7 +80,7 @@ void ViewMap::follow_map(const Pinhole& pinhole) {
     map_points_->clear();
     drawn_ = 0;
   }
-  for (; drawn_ < keyframes_.size(); ++drawn_) draw_keyframe(keyframes_.in_world(drawn_), pinhole);
+  for (; drawn_ < keyframes_.size(); ++drawn_) draw_keyframe(keyframes_.in_live_frame(drawn_), pinhole);
 }
 
 // Points have the gray of their images, a little brighter on the dark background.

@@ -36,6 +36,14 @@ TEST(ClosingLines, WhatIsNotToBeTrustedIsAWarning) {
   EXPECT_EQ(lines[1].text, "NOT TO BE TRUSTED: frames 6 to 9: few edges");
 }
 
+TEST(ClosingLines, LinksThatWereTakenForMistakesAreSaid) {
+  edgevo::Run run = run_with_poses(10, 10);
+  run.constraints = {{"features", 1, 5, 1, 0.02, true}, {"features", 1, 7, 0.7, 0.02, false}};
+  const std::vector<ClosingLine> lines = closing_lines(run, "out");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_THAT(lines[1].text, HasSubstr("1 of 2 links"));
+}
+
 TEST(FailureStatement, GivesTheCommonestReason) {
   EXPECT_FALSE(failure_statement(run_with_poses(10, 9), "seq"));
   EXPECT_EQ(*failure_statement(run_with_poses(10, 2), "seq", "out/earlier_run"),

@@ -33,7 +33,7 @@ TEST_F(ViewKeyframesOfAMadeRun, AreThoseOfTheFinishedRun) {
   const edgevo::Run run = builder_.finish();
   ASSERT_EQ(view_.size(), run.keyframes.size());
   for (size_t k = 0; k < view_.size(); ++k) {
-    const KeyframeRecord keyframe = view_.in_world(k);
+    const KeyframeRecord keyframe = view_.in_live_frame(k);
     EXPECT_EQ(keyframe.frame_index, run.keyframes[k].frame_index);
     EXPECT_EQ(keyframe.T_world_cam.translation(), run.keyframes[k].T_world_cam.translation());
     EXPECT_EQ(keyframe.points.back().idepth, run.keyframes[k].points.back().idepth);
@@ -42,16 +42,33 @@ TEST_F(ViewKeyframesOfAMadeRun, AreThoseOfTheFinishedRun) {
 
 TEST_F(ViewKeyframesOfAMadeRun, MoveWithThePast) {
   show(0, MadeEvents::kMovedAfter);
-  const KeyframeRecord before = view_.in_world(7), of_first_segment = view_.in_world(2);
+  const KeyframeRecord before = view_.in_live_frame(7), of_first_segment = view_.in_live_frame(2);
   show(MadeEvents::kMovedAfter, MadeEvents::kMovedAfter + 1);
   EXPECT_EQ(view_.moves(), 1);
-  const KeyframeRecord after = view_.in_world(7);
+  const KeyframeRecord after = view_.in_live_frame(7);
   EXPECT_NEAR(double(after.points[0].idepth), double(before.points[0].idepth) / MadeEvents::kGrowth, 1e-6);
   // About the newest keyframe, whose pose does not change.
   const auto newest = made_.run.keyframes[12].T_world_cam.translation();
   EXPECT_NEAR((after.T_world_cam.translation() - newest).norm(),
               MadeEvents::kGrowth * (before.T_world_cam.translation() - newest).norm(), 1e-9);
-  EXPECT_EQ(view_.in_world(2).T_world_cam.translation(), of_first_segment.T_world_cam.translation());
+  EXPECT_EQ(view_.in_live_frame(2).T_world_cam.translation(), of_first_segment.T_world_cam.translation());
+}
+
+// A unit that is found later moves the map in the world; the camera that is drawn with it has not jumped.
+TEST(ViewKeyframes, StayUnderTheCameraWhenTheirUnitIsFound) {
+  const auto at = [](double z) { return SE3(Eigen::Quaterniond::Identity(), {0, 0, z}); };
+  const Pinhole pinhole = test::synthetic_run().run.pinhole;
+  ViewKeyframes view;
+  view.apply(pinhole, SegmentPlaced{});
+  auto keyframe = std::make_shared<KeyframeRecord>();
+  keyframe->segment = 0, keyframe->T_world_cam = at(10);
+  view.apply(pinhole, KeyframeMarginalised{7, keyframe, {}});
+  EpochsPlaced placed;
+  placed.epochs = {{0, 0, -1, {}, 0}, {0, 1, 5, {2, at(-8)}, 0.1}};
+  placed.T_odom_map = {2, at(-10)}, placed.T_world_odom = at(2);
+  view.apply(pinhole, placed);
+  EXPECT_EQ(view.moves(), 1);
+  EXPECT_NEAR(view.in_live_frame(0).T_world_cam.translation().z(), 10, 1e-12);
 }
 
 }  // namespace

@@ -86,11 +86,10 @@ class Epochs {
 
  private:
   struct Epoch {
-    EpochPlace place;      // as it was announced, or follows from continuity
+    EpochPlace place;      // as it was announced, or that of the epoch before it
     int last_before = -1;  // keyframe before the doubt that it begins after; -1: it begins a segment
-    std::optional<Sim3>
-        T_previous;  // of a segment after the first: from its map to that of the segment before
-    SegmentPlaced::Method method = SegmentPlaced::Method::kOrigin;
+    // Of a segment after the first: from its map to that of the segment before.
+    std::optional<Sim3> T_previous;
     // Of T_previous: radians, unit of the segment before, logarithm of the scale.
     double rotation_sigma = 0, position_sigma = 0, join_sigma = 0;
   };

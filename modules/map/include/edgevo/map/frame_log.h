@@ -54,7 +54,7 @@ class FrameLog {
   /// Announces the frames of a segment again at which nothing linked the unit of length to that before: now
   /// it is.
   void constrain_scale(int segment, const RelativeScale& unit);
-  /// Announces the pose of a segment's map in the world.
+  /// Announces a segment, and where its map lies in the frame of live poses.
   void begin_segment(const SegmentPlaced& placed);
   /// Announces an epoch.
   void begin_epoch(const EpochBegan& began);

@@ -5,7 +5,8 @@
 // applies the events in their order and needs nothing else. The stream on disk is the recovery log.
 //
 // Coordinates: each segment has a map of its own, with an arbitrary unit of length and the axes of its first
-// keyframe. All poses and depths in events are in that map; SegmentPlaced gives its pose in the world.
+// keyframe. All poses and depths in events are in that map; SegmentPlaced gives a first
+// guess of its pose in the world, in the frame of live poses; EpochsPlaced what is known by now.
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,11 +62,11 @@ struct EpochBegan {
   int last_before = 0, first = 0;
 };
 
-/// A relation was found: between keyframes, of whatever epochs, or between a keyframe and the world.
+/// A relation was found between keyframes, of whatever epochs.
 struct ConstraintAdded {
   /// Number of the constraint in the run, from 0.
   int id = 0;
-  /// The constraint; its nodes are the world and keyframes.
+  /// The constraint; its nodes are keyframes. One of other nodes is kept, but does not count.
   Constraint constraint;
 };
 

@@ -7,12 +7,14 @@
 // a measured similarity of two nodes with its covariance; what it does not measure is left free. The solution
 // minimises
 //     sum over the constraints of min over their modes of  r' Sigma^-1 r + ln det Sigma - 2 ln w
-// with the residual r of map_graph.cpp; a constraint that can fail has two modes with probabilities w, a
+// with the residual r of graph_residual.h; a constraint that can fail has two modes with probabilities w, a
 // max-mixture (Olson and Agarwal, "Inference on networks of mixtures for robust robot mapping", 2013).
 //
 // Gauge. The world is fixed. Where no constraint ties a group of nodes to the world, its first node keeps its
-// guess and the others follow what ties them to it. A direction that no constraint measures stays where the
-// guess is.
+// guess and the others follow what ties them to it. A direction of a node that no constraint measures stays
+// where the guess is. What several nodes have in common and no constraint measures, such as their unit where
+// only poses tie them to the world, follows the guess only roughly: the solution is one of many of equal
+// cost.
 #include <Eigen/Core>
 #include <cstdint>
 #include <iosfwd>
