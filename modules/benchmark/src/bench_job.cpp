@@ -73,11 +73,12 @@ RunResult run_source(const BenchJob& job, const BenchInput& input, ImageSource& 
   options.odometry.detectors = all_edge_detectors();
   options.stop = host.stop;
   const ProgressLine progress = host.progress(job.title(), source.size());
-  return run_odometry(source, input.params(job.variant, job.edges).odometry, options,
-                      [&, done = 0](const ProcessedFrame&) mutable {
-                        progress(++done);
-                        return true;
-                      });
+  const RunParams params = input.params(job.variant, job.edges);
+  options.scale = params.scale;
+  return run_odometry(source, params.odometry, options, [&, done = 0](const ProcessedFrame&) mutable {
+    progress(++done);
+    return true;
+  });
 }
 
 std::optional<Trial> run_in_folder(const BenchJob& job, BenchInput& input, const BenchHost& host) {

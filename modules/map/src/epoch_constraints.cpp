@@ -23,14 +23,6 @@ Matrix7d covariance_of(double position, double rotation, double scale) {
   return variances.asDiagonal();
 }
 
-Matrix7d covariance_of_scale(double sigma) {
-  Vector7d variances = Vector7d::Constant(std::numeric_limits<double>::infinity());
-  variances[6] = variance_of(sigma);
-  Matrix7d covariance = Matrix7d::Zero();
-  covariance.diagonal() = variances;
-  return covariance;
-}
-
 Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T_map_to, double scale) {
   Constraint moved = c;
   moved.T_from_to = to_sim3(T_map_from) * Sim3{scale, c.T_from_to.rigid} * to_sim3(T_map_to).inverse();

@@ -8,8 +8,6 @@ namespace edgevo {
 /// Of independent errors: standard deviations of each coordinate of the place, of the rotation about each
 /// axis, and of the logarithm of the scale. A place is never more certain than rounding.
 Matrix7d covariance_of(double position, double rotation, double scale);
-/// Of a constraint that measures the unit alone: standard deviation of its logarithm.
-Matrix7d covariance_of_scale(double sigma);
 
 /// A constraint between keyframes as one between the maps that they are of, whose units are known: a length
 /// in the first over the same length in the second is `scale`. How it may fail is not part of it.

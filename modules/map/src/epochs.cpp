@@ -10,6 +10,7 @@
 #include "edgevo/core/angle.h"
 #include "edgevo/core/motion_tolerance.h"
 #include "epoch_constraints.h"
+#include "keyframe_graph.h"
 
 namespace edgevo {
 namespace {
@@ -39,10 +40,6 @@ double squared(double x) { return x * x; }
 
 // A pose of an adjustment that failed must not end the run.
 bool is_sound(const KeyframeInMap& k) { return k.T_map_cam.is_finite(); }
-bool is_sound(const Constraint& c) {
-  return c.T_from_to.rigid.is_finite() && c.T_from_to.scale > 0 && std::isfinite(c.T_from_to.scale) &&
-         c.covariance.allFinite() && (c.covariance.diagonal().array() > 0).all();
-}
 bool is_sound(const Sim3& T) { return T.rigid.is_finite() && T.scale > 0 && std::isfinite(T.scale); }
 
 }  // namespace
@@ -57,8 +54,8 @@ const EpochPlace* PlacedEpochs::find(int segment, int keyframe_id) const {
 }
 
 const Sim3& PlacedEpochs::T_world_map(int segment, int keyframe_id) const {
-  const auto own = between.find(keyframe_id);
-  return own != between.end() ? own->second : find(segment, keyframe_id)->T_world_map;
+  const auto known = own.find(keyframe_id);
+  return known != own.end() ? known->second : find(segment, keyframe_id)->T_world_map;
 }
 
 // ---- what is known ----
@@ -159,7 +156,7 @@ class Epochs::Solver {
   void reduce(int id, const Constraint& c) {
     if (c.from.kind() != NodeId::Kind::kKeyframe || c.to.kind() != NodeId::Kind::kKeyframe) return;
     const auto from = run_.keyframe(c.from.number()), to = run_.keyframe(c.to.number());
-    if (!from || !to || !is_sound(c) || !is_sound(*from) || !is_sound(*to)) return;
+    if (!from || !to || !is_sound(*from) || !is_sound(*to)) return;
     const auto a = epoch_of(*from), b = epoch_of(*to);
     if (!a || !b || a == b) return;
     constraints_.push_back({id, *a, *b, from->T_map_cam, to->T_map_cam, c});
@@ -195,6 +192,7 @@ class Epochs::Solver {
   // ---- units ----
 
   // Depths that share a young or bent map have errors in common, which their spread does not show.
+  static bool measures_unit(const Reduced& r) { return std::isfinite(r.constraint.covariance(6, 6)); }
   static Constraint link_of_unit(const Reduced& r) {
     Constraint c = of_scale_alone(r.constraint);
     if (!c.failure)
@@ -218,6 +216,7 @@ class Epochs::Solver {
   GraphSolution solve_units(MapGraph* graph) const {
     std::optional<GraphSolution> best;
     for (size_t k = 0; k <= constraints_.size(); ++k) {
+      if (k > 0 && !measures_unit(constraints_[k - 1])) continue;
       const std::vector<double> scales = guess_scales(k > 0 ? &constraints_[k - 1] : nullptr);
       for (size_t i = 1; i < epochs_.size(); ++i) graph->set_guess(node(i), {scales[i], SE3()});
       GraphSolution found = graph->solve(MapGraph::Sigmas::kEpochs);
@@ -235,7 +234,8 @@ class Epochs::Solver {
       if (continues(i)) continuity[graph.add(continuity_of_unit(i))] = i;
       if (is_joined(i)) graph.add(of_scale_alone(join_of_segment(i)));
     }
-    for (const Reduced& r : constraints_) id_of[graph.add(link_of_unit(r))] = r.id;
+    for (const Reduced& r : constraints_)
+      if (measures_unit(r)) id_of[graph.add(link_of_unit(r))] = r.id;
     const GraphSolution found = solve_units(&graph);
     for (const int failed : found.failed) {
       if (const auto c = continuity.find(failed); c != continuity.end()) lost_.insert(c->second);
@@ -273,6 +273,16 @@ class Epochs::Solver {
     if (continues(i)) return continuity_of_place(i);
     return is_joined(i) ? std::optional(join_of_segment(i)) : std::nullopt;
   }
+  static bool measures_place(const Reduced& r) {
+    return r.constraint.covariance.topLeftCorner<6, 6>().allFinite();
+  }
+  // Those whose unit is not contradicted.
+  static std::vector<Reduced> links_of_places(const std::vector<Reduced>& all, const PlacedEpochs& by_units) {
+    std::vector<Reduced> links;
+    for (const Reduced& r : all)
+      if (measures_place(r) && !by_units.is_unused(r.id)) links.push_back(r);
+    return links;
+  }
   Constraint link_of_place(const Reduced& r) const {
     return between_maps(r.constraint, r.T_map_from, r.T_map_to, ratio(r.from, r.to));
   }
@@ -289,19 +299,19 @@ class Epochs::Solver {
   }
   // Scenes repeat themselves: of several constraints of the same epochs one that no other confirms shows a
   // place that looks alike.
-  bool is_mistaken(const Reduced& r, const PlacedEpochs& by_units) const {
+  bool is_mistaken(const Reduced& r, const std::vector<Reduced>& links) const {
     int others = 0, agreeing = 0;
-    for (const Reduced& other : constraints_)
-      if (other.id != r.id && other.from == r.from && other.to == r.to && !by_units.is_unused(other.id))
+    for (const Reduced& other : links)
+      if (other.id != r.id && other.from == r.from && other.to == r.to)
         ++others, agreeing += show_one_place(r, other);
     return others > 0 && agreeing == 0;
   }
 
   // The nodes have the unit of the world.
   void find_places(PlacedEpochs* placed) const {
-    const PlacedEpochs by_units = *placed;
-    for (const Reduced& r : constraints_)
-      if (!by_units.is_unused(r.id) && is_mistaken(r, by_units)) placed->unused.push_back(r.id);
+    const std::vector<Reduced> links = links_of_places(constraints_, *placed);
+    for (const Reduced& r : links)
+      if (is_mistaken(r, links)) placed->unused.push_back(r.id);
     MapGraph graph;
     const Sim3& T_run_first = epochs_[0].place.T_world_map;
     for (size_t i = 1; i < epochs_.size(); ++i) {
@@ -312,7 +322,7 @@ class Epochs::Solver {
       if (const auto c = join_of_place(i))
         graph.add(in_world_unit(*c, scales_[i - 1], continues(i) ? 0 : kGuessFails, kWithoutPlace));
     std::map<int, int> id_of;
-    for (const Reduced& r : constraints_)
+    for (const Reduced& r : links)
       if (!placed->is_unused(r.id))
         id_of[graph.add(in_world_unit(link_of_place(r), scales_[r.from], kPlaceMistaken, kWithoutPlace))] =
             r.id;
@@ -346,8 +356,7 @@ class Epochs::Solver {
     if (!courses_[i]) return;
     const std::vector<Sim3> places =
         courses_[i]->place(placed->epochs[i - 1].T_world_map, placed->epochs[i].T_world_map);
-    for (size_t k = 1; k + 1 < places.size(); ++k)
-      placed->between[courses_[i]->keyframes()[k].id] = places[k];
+    for (size_t k = 1; k + 1 < places.size(); ++k) placed->own[courses_[i]->keyframes()[k].id] = places[k];
   }
 
   const std::vector<Epoch>& epochs_;
@@ -360,6 +369,15 @@ class Epochs::Solver {
 
 PlacedEpochs Epochs::solve(const RunSoFar& run) const {
   return epochs_.empty() ? PlacedEpochs() : Solver(*this, run).solve();
+}
+
+PlacedEpochs Epochs::solve_keyframes(const RunSoFar& run, const std::vector<KeyframeInMap>& keyframes) const {
+  PlacedEpochs placed = solve(run);
+  const bool is_place_seen_again = std::any_of(constraints_.begin(), constraints_.end(), [&](const auto& c) {
+    return relates_within_epoch(c.second, placed, run);
+  });
+  if (is_place_seen_again) place_keyframes(constraints_, keyframes, run, &placed);
+  return placed;
 }
 
 }  // namespace edgevo

@@ -2,6 +2,7 @@
 #include "edgevo/map/frame_log.h"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -23,22 +24,39 @@ void FrameLog::publish() { append(newest_); }
 
 void FrameLog::append(FrameAnchored frame) {
   const auto& unit = frame.frame.evidence.unit;
-  if (unit && !unit->is_linked()) unlinked_[frame.frame.index] = frame;
+  if (unit && (!unit->is_linked() || unit->by_ground)) unlinked_[frame.frame.index] = frame;
   history_->report(frame.frame);
   log_->append(std::move(frame));
 }
 
 void FrameLog::constrain_scale(int segment, const RelativeScale& unit) {
+  constrain_scale([segment](const FrameRecord& frame) { return frame.segment == segment; }, unit);
+}
+
+void FrameLog::constrain_scale(const std::function<bool(const FrameRecord&)>& concerns,
+                               const RelativeScale& unit) {
   for (auto i = unlinked_.begin(); i != unlinked_.end();) {
     FrameAnchored& known = i->second;
-    if (known.frame.segment != segment) {
-      ++i;
-      continue;
-    }
-    known.frame.evidence.unit = unit;
-    log_->append(std::move(known));
-    i = unlinked_.erase(i);
+    const bool is_linked = concerns(known.frame);
+    if (is_linked) known.frame.evidence.unit = unit, log_->append(known);
+    i = is_linked && !unit.by_ground ? unlinked_.erase(i) : std::next(i);
   }
+}
+
+// The ground links what lies between two keyframes.
+void FrameLog::follow(const Constraint& c) {
+  if (c.kind != ConstraintKind::kGround) return;
+  const auto from = run_.find_keyframe(c.from.number()), to = run_.find_keyframe(c.to.number());
+  if (!from || !to) return;
+  const RelativeScale unit{c.T_from_to.scale, std::sqrt(c.covariance(6, 6)), true};
+  constrain_scale(
+      [&](const FrameRecord& f) { return from->frame_index < f.index && f.index <= to->frame_index; }, unit);
+}
+
+void FrameLog::follow(const MapEvent& event) {
+  const auto* added = std::get_if<ConstraintAdded>(&event);
+  has_found_more_ |= added || std::holds_alternative<ConstraintWithdrawn>(event);
+  if (added) follow(added->constraint);
 }
 
 FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Reference& reference,
@@ -85,7 +103,9 @@ void FrameLog::begin_epoch(const EpochBegan& began) {
 }
 
 void FrameLog::add_constraint(const Constraint& constraint) {
-  log_->append(ConstraintAdded{constraints_++, constraint});
+  // One between poses that an adjustment has left without a value says nothing.
+  if (constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite())
+    log_->add_constraint(constraint);
   run();
 }
 
@@ -94,7 +114,9 @@ void FrameLog::place_epochs(int segment) {
   const bool is_newest = newest_.anchor && newest_.frame.segment == segment;
   const std::optional<SE3> T_cam_map =
       is_newest ? newest_.anchor->T_cam_map : run().pose_before(std::numeric_limits<int>::max(), segment);
-  EpochsPlaced placed = run().follow_epochs(segment, T_cam_map.value_or(SE3()).inverse().translation());
+  run();
+  has_found_more_ = false;
+  EpochsPlaced placed = run_.follow_epochs(segment, T_cam_map.value_or(SE3()).inverse().translation());
   placed_.epochs = placed.epochs;
   world_ = {placed.T_world_odom, world_.changes + 1,
             placed_.find(segment, std::numeric_limits<int>::max())->scale_sigma};
@@ -110,6 +132,7 @@ double FrameLog::scale_of(int segment, int keyframe_id) const {
 RunBuilder& FrameLog::run() {
   for (std::shared_ptr<const MapEvent>& event : cursor_.read()) {
     run_.apply(*event);
+    follow(*event);
     event.reset();
   }
   return run_;

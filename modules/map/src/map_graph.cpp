@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <ostream>
 #include <stdexcept>
@@ -145,6 +146,32 @@ std::string to_string(ConstraintKind kind) {
   return "operator";
 }
 
+Matrix7d covariance_of_scale(double sigma) {
+  Vector7d variances = Vector7d::Constant(std::numeric_limits<double>::infinity());
+  variances[6] = sigma * sigma;
+  Matrix7d covariance = Matrix7d::Zero();
+  covariance.diagonal() = variances;
+  return covariance;
+}
+
+Constraint scale_constraint(ConstraintKind kind, NodeId from, NodeId to, double scale, double sigma) {
+  Constraint c;
+  c.from = from, c.to = to;
+  c.T_from_to.scale = scale;
+  c.covariance = covariance_of_scale(sigma);
+  c.kind = kind;
+  return c;
+}
+
+void check_constraint(const Constraint& c) {
+  const std::string subject = subject_of(c);
+  if (c.from == c.to) refuse(subject, "both ends are one node");
+  check_similarity(subject, c.T_from_to);
+  if (!c.centre.allFinite()) refuse(subject, "the centre is not finite");
+  check_covariance(subject + ", covariance", c.covariance);
+  if (c.failure) check_failure(subject, c);
+}
+
 struct MapGraph::Impl {
   mutable std::mutex mutex;
   std::map<NodeId, Sim3> nodes = {{NodeId::world(), Sim3()}};
@@ -156,11 +183,7 @@ struct MapGraph::Impl {
     const std::string subject = subject_of(c);
     for (const NodeId id : {c.from, c.to})
       if (!nodes.count(id)) refuse(subject, "node " + to_string(id) + " is not known");
-    if (c.from == c.to) refuse(subject, "both ends are one node");
-    check_similarity(subject, c.T_from_to);
-    if (!c.centre.allFinite()) refuse(subject, "the centre is not finite");
-    check_covariance(subject + ", covariance", c.covariance);
-    if (c.failure) check_failure(subject, c);
+    check_constraint(c);
     if (!has_exact_scale(c)) return;
     const std::optional<double> known = exact.between(c.from, c.to);
     if (known && std::abs(*known - std::log(c.T_from_to.scale)) > kExactTolerance)

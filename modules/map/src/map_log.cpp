@@ -5,6 +5,9 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace edgevo {
@@ -15,6 +18,9 @@ struct MapLog::Impl {
   size_t first = 0;                    // number of the first kept event, counted from the first append()
   std::map<size_t, size_t> next_read;  // by cursor: number of the next event
   size_t next_cursor = 0;
+  std::vector<int> keyframes;  // ids of the announced ones, ascending
+  std::set<int> constraints;   // numbers of those announced and not withdrawn
+  int next_constraint = 0;
 
   size_t end() const { return first + events.size(); }
 
@@ -29,6 +35,21 @@ struct MapLog::Impl {
     }
     return passed;
   }
+
+  void append(std::shared_ptr<const MapEvent> event) {
+    if (const auto* added = std::get_if<KeyframeAdded>(event.get())) keyframes.push_back(added->id);
+    if (next_read.empty())
+      ++first;
+    else
+      events.push_back(std::move(event));
+  }
+
+  void require_keyframe(NodeId id) const {
+    if (id.kind() == NodeId::Kind::kKeyframe &&
+        std::binary_search(keyframes.begin(), keyframes.end(), id.number()))
+      return;
+    throw std::invalid_argument("constraint: " + to_string(id) + " is no keyframe of the run");
+  }
 };
 
 MapLog::MapLog() : impl_(std::make_unique<Impl>()) {}
@@ -37,10 +58,24 @@ MapLog::~MapLog() = default;
 void MapLog::append(MapEvent event) {
   auto shared = std::make_shared<const MapEvent>(std::move(event));
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  if (impl_->next_read.empty())
-    ++impl_->first;
-  else
-    impl_->events.push_back(std::move(shared));
+  impl_->append(std::move(shared));
+}
+
+int MapLog::add_constraint(const Constraint& constraint) {
+  check_constraint(constraint);
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  for (const NodeId id : {constraint.from, constraint.to}) impl_->require_keyframe(id);
+  const int id = impl_->next_constraint++;
+  impl_->constraints.insert(id);
+  impl_->append(std::make_shared<const MapEvent>(ConstraintAdded{id, constraint}));
+  return id;
+}
+
+void MapLog::withdraw_constraint(int id) {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  if (impl_->constraints.erase(id) == 0)
+    throw std::invalid_argument("constraint " + std::to_string(id) + ": there is none with this number");
+  impl_->append(std::make_shared<const MapEvent>(ConstraintWithdrawn{id}));
 }
 
 size_t MapLog::kept() const {

@@ -98,7 +98,11 @@ void RunBuilder::handle(const EpochsPlaced& e) {
   if (!e.epochs.empty() && is_known(e.segment)) T_odom_map_[size_t(e.segment)] = e.T_odom_map;
 }
 
-void RunBuilder::handle(const KeyframeMarginalised& e) { add_keyframe(e.id, e.keyframe); }
+void RunBuilder::handle(const KeyframeMarginalised& e) {
+  add_keyframe(e.id, e.keyframe);
+  if (forgets() || e.neighbours.empty() || e.neighbours.front().covariance.isZero()) return;
+  covariances_[e.id] = e.neighbours.front().covariance;
+}
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
   if (!is_known(keyframe->segment)) return;
@@ -192,11 +196,20 @@ double RunBuilder::doubt_between(int frame, int later_frame) const {
   return doubt;
 }
 
-PlacedEpochs RunBuilder::place_epochs() const {
-  return epochs_.solve(
-      {[this](int id) { return find_keyframe(id); },
-       [this](int segment, int first, int last) { return find_keyframes(segment, first, last); },
-       [this](int frame, int later_frame) { return doubt_between(frame, later_frame); }});
+RunSoFar RunBuilder::run_so_far() const {
+  return {[this](int id) { return find_keyframe(id); },
+          [this](int segment, int first, int last) { return find_keyframes(segment, first, last); },
+          [this](int id) {
+            const auto known = covariances_.find(id);
+            return known == covariances_.end() ? std::nullopt : std::optional(known->second);
+          },
+          [this](int frame, int later_frame) { return doubt_between(frame, later_frame); }};
+}
+
+std::vector<KeyframeInMap> RunBuilder::all_keyframes() const {
+  std::vector<KeyframeInMap> all;
+  for (const auto& [id, keyframe] : places_) all.push_back(keyframe);
+  return all;
 }
 
 // T_odom_map' p = s' R p + t'  with the scale s' that was found, and t' such that the newest pose stays.
@@ -345,7 +358,7 @@ std::vector<ConstraintRecord> RunBuilder::constraint_records(const PlacedEpochs&
 }
 
 Run RunBuilder::finish() {
-  const PlacedEpochs placed = place_epochs();
+  const PlacedEpochs placed = epochs_.solve_keyframes(run_so_far(), all_keyframes());
   Run run;
   run.pinhole = rectification_.target();
   run.camera = camera_;

@@ -74,12 +74,19 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   check_pixels(frame.image, where);
   order = next;
   publish_camera();
+  follow_findings();
   if (concurrent) continue_with_map();
   const FrameRecord& record = waits_for_map() ? buffer_frame(frame) : follow(frame);
   if (!frame_published) frames.publish();
   record_newest_pose(record);
   frames.run();
   return record;
+}
+
+// What others have found since the frame before, whose pose stays.
+void Odometry::Impl::follow_findings() {
+  frames.run();
+  if (state.has_map() && frames.has_found_more()) frames.place_epochs(state.segment());
 }
 
 const FrameRecord& Odometry::Impl::follow(const Frame& frame) {

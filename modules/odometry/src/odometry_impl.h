@@ -31,6 +31,7 @@ struct Odometry::Impl {
 
   // ---- one frame ----
   FrameRecord process(const Frame& frame);
+  void follow_findings();
   const FrameRecord& follow(const Frame& frame);
   bool is_mapping_behind() const;
   // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none

@@ -2,10 +2,14 @@
 #include "edgevo/run_loop/run_odometry.h"
 
 #include <ctime>
+#include <memory>
 
+#include "edgevo/core/rectification.h"
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
+#include "edgevo/map/map_log.h"
 #include "edgevo/run_loop/latency_stats.h"
+#include "edgevo/scale/ground_links.h"
 #include "lenient_source.h"
 #include "load_control.h"
 
@@ -23,10 +27,28 @@ double cpu_seconds(Work&& work) {
 using OnFrame = std::function<bool(const ProcessedFrame&)>;
 using Stop = std::function<bool()>;
 
+// What the ground says of the run's past, between two frames.
+class GroundFollower {
+ public:
+  GroundFollower(const ImageSource& source, const OdometryOptions& options, const ScaleParams& params)
+      : links_(rectification_of(source.camera(), options).target(), source.T_vehicle_cam(), params,
+               options.map_log),
+        events_(options.map_log) {}
+
+  void follow() {
+    for (const auto& event : events_.read()) links_.apply(*event);
+  }
+
+ private:
+  GroundLinks links_;
+  MapCursor events_;
+};
+
 // What the loop works with, from the first frame to the last.
 struct RunLoop {
   LenientSource& source;
   Odometry& odometry;
+  GroundFollower& ground;
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
@@ -53,7 +75,10 @@ FrameRecord skip_bad_frame(const RunLoop& loop, const Frame& frame) {
 FrameRecord process(const RunLoop& loop, const Frame& frame) {
   if (frame.image.empty()) return skip_bad_frame(loop, frame);
   FrameRecord record;
-  loop.result->cpu_s += cpu_seconds([&] { record = loop.odometry.process(frame); });
+  loop.result->cpu_s += cpu_seconds([&] {
+    record = loop.odometry.process(frame);
+    loop.ground.follow();
+  });
   return record;
 }
 
@@ -129,13 +154,15 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   }
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
   name_traced_thread("tracking");
+  if (!options.map_log) options.map_log = std::make_shared<MapLog>();
+  GroundFollower ground(source, options, requested.scale);
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{lenient, odometry, options, stop, on_frame, [&] { return odometry.frame_view(); },
-                     &result};
+  const RunLoop loop{
+      lenient, odometry, ground, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);

@@ -151,6 +151,7 @@ void RunSession::prioritise_tracking() const {
 void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
+  options.scale = request_.params.scale;
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;

@@ -10,7 +10,6 @@
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/run_scale.h"
 #include "edgevo/scale/track_scale.h"
-#include "ground_link.h"
 
 namespace edgevo {
 namespace {
@@ -119,7 +118,6 @@ void RunScaling::add_waiting() {
 }
 
 void RunScaling::convert(Run* run) const {
-  if (!requested_.is_estimated()) link_units_by_ground(params_, run);
   if (requested_.kind == ScaleSource::Kind::kFactor) scale_run(requested_.value, requested_.text, run);
   if (!requested_.is_estimated()) return;
   const RunScale scale = estimate_run_scale(*run, requested_, track_, params_);

@@ -30,6 +30,7 @@ class DoubtfulDrive {
             [this](int, int first, int last) {
               return std::vector<KeyframeInMap>(keyframes_.begin() + first, keyframes_.begin() + last + 1);
             },
+            [](int) { return std::optional<Matrix6d>(); },
             [](int frame, int later) { return 0.9 * (later - frame); }};
   }
   // What features of a keyframe before and one after the doubt show: their true motion.

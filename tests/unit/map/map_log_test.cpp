@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
 #include <thread>
 
 namespace edgevo {
@@ -94,6 +96,50 @@ TEST(MapLog, ThreadsSeeOneOrder) {
     next[index % 2] += 2;
   }
   EXPECT_EQ(log->kept(), 0u);
+}
+
+// ---- constraints ----
+
+Constraint between(int from, int to) {
+  Constraint c;
+  c.from = NodeId::keyframe(from), c.to = NodeId::keyframe(to);
+  c.kind = ConstraintKind::kPlace;
+  return c;
+}
+
+TEST(MapLog, NumbersConstraintsInTheirOrder) {
+  const auto log = std::make_shared<MapLog>();
+  log->append(KeyframeAdded{3, 0, 0});
+  log->append(KeyframeAdded{5, 4, 0});
+  MapCursor cursor(log);
+  EXPECT_EQ(log->add_constraint(between(3, 5)), 0);
+  EXPECT_EQ(log->add_constraint(between(5, 3)), 1);
+  log->withdraw_constraint(0);
+  const auto events = cursor.read();
+  ASSERT_EQ(events.size(), 3u);
+  EXPECT_EQ(std::get<ConstraintAdded>(*events[1]).id, 1);
+  EXPECT_EQ(std::get<ConstraintAdded>(*events[1]).constraint.from, NodeId::keyframe(5));
+  EXPECT_EQ(std::get<ConstraintWithdrawn>(*events[2]).id, 0);
+}
+
+TEST(MapLog, RefusesWhatIsNoConstraint) {
+  const auto log = std::make_shared<MapLog>();
+  log->append(KeyframeAdded{3, 0, 0});
+  log->append(KeyframeAdded{5, 4, 0});
+  MapCursor cursor(log);
+  std::vector<Constraint> wrong(6, between(3, 5));
+  wrong[0].to = NodeId::keyframe(4);  // no such keyframe
+  wrong[1].to = NodeId::epoch(0, 0);
+  wrong[2].to = wrong[2].from;
+  wrong[3].T_from_to.rigid = SE3(Eigen::Quaterniond::Identity(), {0, NAN, 0});
+  wrong[4].covariance(2, 2) = -1;
+  wrong[5].T_from_to.scale = 0;
+  for (const Constraint& c : wrong) EXPECT_THROW(log->add_constraint(c), std::invalid_argument);
+  EXPECT_THROW(log->withdraw_constraint(0), std::invalid_argument);
+  EXPECT_TRUE(cursor.read().empty());
+  EXPECT_EQ(log->add_constraint(between(3, 5)), 0);
+  log->withdraw_constraint(0);
+  EXPECT_THROW(log->withdraw_constraint(0), std::invalid_argument) << "it is none any more";
 }
 
 }  // namespace

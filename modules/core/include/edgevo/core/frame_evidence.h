@@ -61,7 +61,7 @@ struct RelativeScale {
   double ratio = std::numeric_limits<double>::quiet_NaN();
   /// Standard deviation of the ratio's logarithm; NaN with an unknown ratio.
   double sigma = std::numeric_limits<double>::quiet_NaN();
-  /// Whether it was the camera's height over the ground that linked them, at the end of the run.
+  /// Whether it was the camera's height over the ground that linked them.
   bool by_ground = false;
   /// Whether the ratio is known.
   bool is_linked() const { return ratio > 0; }  // false for NaN

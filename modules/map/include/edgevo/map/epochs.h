@@ -42,6 +42,9 @@ struct RunSoFar {
   std::function<std::optional<KeyframeInMap>(int id)> keyframe;
   /// The known keyframes of a segment with ids from `first` to `last`, both included, in their order.
   std::function<std::vector<KeyframeInMap>(int segment, int first, int last)> keyframes;
+  /// Covariance of the pose of the next known keyframe after `id` relative to it, as NeighbourPose; nothing
+  /// if it is not known.
+  std::function<std::optional<Matrix6d>(int id)> covariance_to_next;
   /// The doubt in the motion from one frame to a later one: the sum of 1 - p_right.
   std::function<double(int frame, int later_frame)> doubt;
 };
@@ -50,8 +53,9 @@ struct RunSoFar {
 struct PlacedEpochs {
   /// The epochs, in time order.
   std::vector<EpochPlace> epochs;
-  /// For the keyframes between two epochs, by id: from their segment's map to the world.
-  std::map<int, Sim3> between;
+  /// For the keyframes that do not move with an epoch, by id: from their segment's map to the world. Those
+  /// between two epochs, and all where a place was seen again.
+  std::map<int, Sim3> own;
   /// The constraints that the others contradict in their unit or place, by their numbers in the run.
   std::vector<int> unused;
   /// Whether a constraint is one of them.
@@ -80,6 +84,10 @@ class Epochs {
   const std::map<int, Constraint>& constraints() const { return constraints_; }
   /// Whether a keyframe is one that a constraint or an epoch refers to.
   bool refers_to(int keyframe_id) const;
+  /// Where all keyframes lie: as solve(), and within the epochs where a constraint relates two keyframes of
+  /// one. `keyframes`: all that are known, ascending id. Cost: that of solve(), and some 0.1 ms a keyframe if
+  /// there is such a constraint.
+  PlacedEpochs solve_keyframes(const RunSoFar& run, const std::vector<KeyframeInMap>& keyframes) const;
   /// Where all parts lie. Cost: a solution of the graph of units for each constraint (some 0.1 ms each in
   /// small graphs), and one of that of places.
   PlacedEpochs solve(const RunSoFar& run) const;

@@ -2,6 +2,7 @@
 #pragma once
 // The tracking side's end of the stream of events: announces frames and segments, and reads back the run that
 // all events so far make.
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,8 +52,8 @@ class FrameLog {
   std::optional<FrameRecord> find(int frame_index);
   /// MotionHistory::reported_ratio() of a frame with the pose `T_cam_map` in a segment's map.
   double reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const;
-  /// Announces the frames of a segment again at which nothing linked the unit of length to that before: now
-  /// it is.
+  /// Announces the frames of a segment again at which nothing linked the unit of length to that before, or
+  /// only the ground: now it is.
   void constrain_scale(int segment, const RelativeScale& unit);
   /// Announces a segment, and where its map lies in the frame of live poses.
   void begin_segment(const SegmentPlaced& placed);
@@ -60,6 +61,8 @@ class FrameLog {
   void begin_epoch(const EpochBegan& began);
   /// Announces a constraint between keyframes.
   void add_constraint(const Constraint& constraint);
+  /// Whether something was found about the past since place_epochs(), by whomever.
+  bool has_found_more() const { return has_found_more_; }
   /// Announces where the epochs lie by now. Live poses of `segment`, that of the newest frame, have its unit
   /// from the next frame on.
   void place_epochs(int segment);
@@ -76,15 +79,18 @@ class FrameLog {
  private:
   void append(FrameAnchored frame);
   FrameAnchored anchored(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
+  void follow(const MapEvent& event);
+  void follow(const Constraint& constraint);
+  void constrain_scale(const std::function<bool(const FrameRecord&)>& concerns, const RelativeScale& unit);
 
   std::shared_ptr<MapLog> log_;
   MotionHistory* history_;
   MapCursor cursor_;
   RunBuilder run_;
   FrameAnchored newest_;
-  std::map<int, FrameAnchored> unlinked_;  // by frame
+  std::map<int, FrameAnchored> unlinked_;  // by frame; also those that only the ground links
   PlacedEpochs placed_;                    // as announced last
-  int constraints_ = 0;
+  bool has_found_more_ = false;
   WorldOfOdometry world_;
 };
 

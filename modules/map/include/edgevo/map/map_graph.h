@@ -115,6 +115,17 @@ struct Constraint {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 };
 
+/// Covariance of a measurement of the scale alone, with a standard deviation of its logarithm.
+Matrix7d covariance_of_scale(double sigma);
+/// A measurement of the scale alone: a unit of `to` over one of `from`, and the standard deviation of its
+/// logarithm.
+Constraint scale_constraint(ConstraintKind kind, NodeId from, NodeId to, double scale, double sigma);
+
+/// Throws std::invalid_argument if both nodes are one, if a value is NaN or the scale not positive, if a
+/// covariance is not symmetric and positive definite in the directions measured, or if the failure has
+/// another pattern of measured directions, a smaller determinant or a probability outside [0, 1).
+void check_constraint(const Constraint& constraint);
+
 /// A node in the solution.
 struct NodeSolution {
   /// Coordinates of the node to the world.
@@ -156,10 +167,8 @@ class MapGraph {
   void set_guess(NodeId id, const Sim3& T_world_node_guess);
 
   /// Adds a constraint and returns its id; ids ascend from 0. Throws std::invalid_argument, and changes
-  /// nothing, if a node is not known or both are one, if a value is NaN or the scale not positive, if a
-  /// covariance is not symmetric and positive definite in the directions measured, if the failure has another
-  /// pattern of measured directions, a smaller determinant or a probability outside [0, 1), or if an exact
-  /// scale contradicts other exact ones.
+  /// nothing, if a node is not known, as check_constraint(), or if an exact scale contradicts other exact
+  /// ones.
   int add(const Constraint& constraint);
   /// Removes a constraint. Throws std::invalid_argument if there is none with this id.
   void withdraw(int id);

@@ -50,6 +50,8 @@ class RunBuilder {
 
   /// The newest record of a frame; null if there is none.
   const FrameRecord* find(int frame_index) const;
+  /// A keyframe that is marginalised or in the window, by its id; nothing if it is not known (any more).
+  std::optional<KeyframeInMap> find_keyframe(int id) const;
   /// Live poses of a segment up to `last_frame`: the last `at_most` of them, oldest first.
   std::vector<TimedPose> last_poses(int segment, int last_frame, size_t at_most) const;
   /// The last `count` live poses in a row of a segment, up to `last_frame`, none of them doubtful
@@ -62,7 +64,7 @@ class RunBuilder {
   /// what is measured from now on is that of its newest epoch, as far as it is known.
   const Sim3& T_odom_map(int segment) const { return T_odom_map_[size_t(segment)]; }
   /// Where the epochs lie by what is known so far.
-  PlacedEpochs place_epochs() const;
+  PlacedEpochs place_epochs() const { return epochs_.solve(run_so_far()); }
   /// What is to be announced of it: live poses to come have the unit that was found for the map of `segment`,
   /// and the camera at `newest_position` in that map stays where it is.
   EpochsPlaced follow_epochs(int segment, const Eigen::Vector3d& newest_position) const;
@@ -107,7 +109,8 @@ class RunBuilder {
   Row& row(size_t number) { return rows_[number - forgotten_]; }
   const Row& row(size_t number) const { return rows_[number - forgotten_]; }
   bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_odom_map_.size(); }
-  std::optional<KeyframeInMap> find_keyframe(int id) const;
+  RunSoFar run_so_far() const;
+  std::vector<KeyframeInMap> all_keyframes() const;
   std::vector<KeyframeInMap> find_keyframes(int segment, int first, int last) const;
   double doubt_between(int frame, int later_frame) const;
   void forget_places_before(int frame_index);
@@ -135,6 +138,7 @@ class RunBuilder {
   std::map<int, Entry> keyframes_;              // the marginalised ones, by id
   std::map<int, std::vector<Change>> changes_;  // by keyframe id, also of keyframes of the window
   std::map<int, KeyframeInMap> places_;         // of the marginalised keyframes, by id; with forgets() too
+  std::map<int, Matrix6d> covariances_;         // of the pose of the next keyframe, by id
   Epochs epochs_;
   std::vector<Sim3> T_odom_map_;  // by segment, as the next
   std::vector<SegmentRecord> segments_;

@@ -10,6 +10,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/datasets/pace.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/scale/scale_params.h"
 #include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
@@ -54,6 +55,8 @@ struct ProcessedFrame {
 struct RunLoopOptions {
   /// Seed, threads, log and stream of events of the odometry.
   OdometryOptions odometry;
+  /// How the ground is looked for (scale/ground_links.h).
+  ScaleParams scale;
   /// Rate at which a realtime run receives its frames.
   Pace pace;
   /// What to do with a frame whose image or time is unusable.

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "keyframe_graph.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/motion_tolerance.h"
+#include "epoch_constraints.h"
+
+namespace edgevo {
+namespace {
+
+// Of the logarithm of the unit, from one keyframe to the next, a random walk.
+constexpr double kDrift = 0.002;
+// Of a relative pose, beyond what the adjustment knows: a share of its length, median depths of a first map,
+// and radians.
+constexpr double kShare = 0.01, kLeast = 0.002, kRotation = rad(0.1);
+// That a place is mistaken, and how many times as uncertain it is then.
+constexpr double kPlaceMistaken = 0.2, kWithoutPlace = 30;
+
+NodeId node(int keyframe_id) { return NodeId::keyframe(keyframe_id); }
+
+Sim3 T_world_cam(const KeyframeInMap& k, const PlacedEpochs& placed) {
+  return placed.T_world_map(k.segment, k.id) * Sim3{1, k.T_map_cam};
+}
+
+bool measures_place(const Constraint& c) { return c.covariance.topLeftCorner<6, 6>().allFinite(); }
+
+// As they lie. In a doubt, or between two maps, as uncertain as a motion that is wrong.
+Constraint unsure_neighbours(Constraint c, int frames) {
+  const double length = c.T_from_to.rigid.translation().norm();
+  const double tolerances = std::sqrt(double(frames) / kMotionTolerance.frames);
+  c.covariance = covariance_of(std::max(length, kLeast), rad(kMotionTolerance.rotation_deg) * tolerances,
+                               std::max(kDrift, std::abs(std::log(c.T_from_to.scale))));
+  return c;
+}
+
+// With the covariance that the adjustment of the window left, and with what it does not know of: the errors
+// that steps have in common.
+Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunSoFar& run,
+                      const PlacedEpochs& placed) {
+  Constraint c;
+  c.from = node(a.id), c.to = node(b.id);
+  c.kind = ConstraintKind::kNeighbour;
+  c.T_from_to = T_world_cam(a, placed).inverse() * T_world_cam(b, placed);
+  const bool is_sure = a.segment == b.segment && placed.own.count(a.id) + placed.own.count(b.id) == 0 &&
+                       placed.find(a.segment, a.id) == placed.find(b.segment, b.id);
+  if (!is_sure) return unsure_neighbours(c, b.frame_index - a.frame_index);
+  c.covariance = covariance_of(kShare * c.T_from_to.rigid.translation().norm() + kLeast, kRotation, kDrift);
+  if (const std::optional<Matrix6d> known = run.covariance_to_next(a.id))
+    c.covariance.topLeftCorner<6, 6>() += *known;
+  return c;
+}
+
+// One that can be mistaken, unless it says how it may fail.
+Constraint place(Constraint c) {
+  if (!c.failure) c.failure = {kPlaceMistaken, kWithoutPlace * kWithoutPlace * c.covariance};
+  return c;
+}
+
+}  // namespace
+
+bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const RunSoFar& run) {
+  if (!measures_place(c)) return false;
+  const auto from = run.keyframe(c.from.number()), to = run.keyframe(c.to.number());
+  if (!from || !to) return false;
+  const EpochPlace* epoch = placed.find(from->segment, from->id);
+  return epoch && epoch == placed.find(to->segment, to->id);
+}
+
+void place_keyframes(const std::map<int, Constraint>& constraints,
+                     const std::vector<KeyframeInMap>& keyframes, const RunSoFar& run, PlacedEpochs* placed) {
+  if (keyframes.empty()) return;
+  MapGraph graph;
+  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_world_cam(k, *placed));
+  for (size_t i = 1; i < keyframes.size(); ++i)
+    graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
+  std::map<int, int> id_of;  // by number in the graph
+  for (const auto& [id, c] : constraints)
+    if (measures_place(c) && !placed->is_unused(id) && run.keyframe(c.from.number()) &&
+        run.keyframe(c.to.number()))
+      id_of[graph.add(place(c))] = id;
+  const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
+  for (const int failed : found.failed)
+    if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
+  for (const KeyframeInMap& k : keyframes)
+    placed->own[k.id] = found.nodes.at(node(k.id)).T_world_node * Sim3{1, k.T_map_cam}.inverse();
+  placed->epochs.back().T_world_map = placed->own.at(keyframes.back().id);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drive round a block whose heading and unit drift, and a place that is seen again at its end.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/map/epochs.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kRound = 200;         // keyframes, one unit apart
+constexpr double kUnitDrift = 0.1;  // lengths of the map become shorter by it
+constexpr double kTurnDrift = rad(10);
+
+class Round {
+ public:
+  Round() {
+    SE3 T_world_cam, T_map_cam;
+    for (int id = 0; id < kRound; ++id) {
+      truth_.push_back(T_world_cam);
+      keyframes_.push_back({id, 0, 4 * id, T_map_cam});
+      T_world_cam = T_world_cam * step(2 * EIGEN_PI / kRound, 1);
+      T_map_cam = T_map_cam * step((2 * EIGEN_PI + kTurnDrift) / kRound, unit(id));
+    }
+  }
+  RunSoFar run() const {
+    return {[this](int id) { return id < kRound ? std::optional(keyframes_[size_t(id)]) : std::nullopt; },
+            [this](int, int first, int last) {
+              return std::vector<KeyframeInMap>(keyframes_.begin() + first, keyframes_.begin() + last + 1);
+            },
+            [](int) { return std::optional<Matrix6d>(1e-6 * Matrix6d::Identity()); },
+            [](int, int) { return 0.0; }};
+  }
+  // What is seen of one keyframe from another, 1 % sure of the distance: truly, or turned round.
+  ConstraintAdded seen_again(int id, int from, int to, bool is_true = true) const {
+    ConstraintAdded added;
+    added.id = id;
+    Constraint& c = added.constraint;
+    c.from = NodeId::keyframe(from), c.to = NodeId::keyframe(to);
+    c.kind = ConstraintKind::kPlace;
+    const SE3 T = truth_[size_t(from)].inverse() * truth_[size_t(to)];
+    c.T_from_to = {unit(from) / unit(to), SE3(T.rotation(), unit(from) * T.translation())};
+    if (!is_true) c.T_from_to.rigid = SE3(T.rotation(), {30, 0, -30});
+    c.covariance.diagonal() << 1e-2, 1e-2, 1e-2, 1e-4, 1e-4, 1e-4, 4e-4;
+    return added;
+  }
+  PlacedEpochs place(const std::vector<ConstraintAdded>& found) const {
+    Epochs epochs;
+    epochs.begin_segment({}, {});
+    for (const ConstraintAdded& c : found) epochs.add(c);
+    return epochs.solve_keyframes(run(), keyframes_);
+  }
+  double largest_error(const PlacedEpochs& placed) const {
+    double largest = 0;
+    for (const KeyframeInMap& k : keyframes_) {
+      const SE3 T = placed.T_world_map(0, k.id).apply(k.T_map_cam);
+      largest = std::max(largest, (T.translation() - truth_[size_t(k.id)].translation()).norm());
+    }
+    return largest;
+  }
+  static double unit(int id) { return 1 - kUnitDrift * id / kRound; }
+
+ private:
+  static SE3 step(double turn, double length) {
+    return SE3(Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY())), {0, 0, length});
+  }
+  std::vector<SE3> truth_;
+  std::vector<KeyframeInMap> keyframes_;
+};
+
+TEST(KeyframeGraph, APlaceSeenAgainMovesThePath) {
+  const Round round;
+  const double before = round.largest_error(round.place({}));
+  EXPECT_GT(before, 5) << "of a path of 200";
+  const PlacedEpochs placed = round.place({round.seen_again(0, 2, kRound - 1)});
+  EXPECT_TRUE(placed.unused.empty());
+  EXPECT_LT(round.largest_error(placed), 2);
+  EXPECT_NEAR(placed.T_world_map(0, kRound - 1).scale, 1 / Round::unit(kRound - 1), 0.03);
+  EXPECT_EQ(placed.epochs.back().T_world_map.scale, placed.T_world_map(0, kRound - 1).scale);
+  EXPECT_NEAR(placed.T_world_map(0, 0).scale, 1, 1e-9) << "the beginning stays";
+}
+
+TEST(KeyframeGraph, APlaceThatIsMistakenIsNamed) {
+  const Round round;
+  const PlacedEpochs placed =
+      round.place({round.seen_again(0, 2, kRound - 1), round.seen_again(1, 40, 150, false),
+                   round.seen_again(2, 1, kRound - 2)});
+  EXPECT_EQ(placed.unused, (std::vector<int>{1}));
+  EXPECT_LT(round.largest_error(placed), 2);
+}
+
+TEST(KeyframeGraph, WithoutSuchAPlaceNothingMoves) {
+  const Round round;
+  ConstraintAdded unit_alone = round.seen_again(0, 2, kRound - 1);
+  unit_alone.constraint.covariance = covariance_of_scale(0.02);
+  EXPECT_TRUE(round.place({}).own.empty());
+  EXPECT_TRUE(round.place({unit_alone}).own.empty());
+}
+
+}  // namespace
+}  // namespace edgevo
