@@ -9,6 +9,7 @@
 #include "edgevo/report/page.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "sections/edges_section.h"
+#include "sections/epochs_section.h"
 #include "sections/map_section.h"
 #include "sections/map_view_section.h"
 #include "sections/mask_section.h"
@@ -60,8 +61,8 @@ std::string report_html(const ReportInput& in) {
   const std::optional<TruthComparison> truth =
       compare_with_truth(in.run, in.info.ground_truth_path, &why_not);
   std::string body = tiles(in.run, truth) + advice_section(in) + trajectory_section(in, truth, why_not) +
-                     map_view_section(in, path_of(in.run, truth)) + edges_section(in) +
-                     mask_section(in.info) + map_section(in.run, in.map);
+                     epochs_section(in, truth) + map_view_section(in, path_of(in.run, truth)) +
+                     edges_section(in) + mask_section(in.info) + map_section(in.run, in.map);
   if (!in.run.frames.empty()) body += tracking_section(in.run) + trust_section(in) + timing_section(in.run);
   body += scale_section(in.run) + parameters_html(in.info.command_line, in.info.params_yaml, in.info.notes);
   return page_html("edgevo run", in.info.source_kind + " " + in.info.source_path, body);

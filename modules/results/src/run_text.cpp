@@ -221,8 +221,9 @@ std::string graph_csv(const Run& run) {
   std::string text = "what,segment,epoch,first_frame,last_frame,scale,sigma,holds\n";
   const auto append = [&](const std::string& begin, int first, int last, double scale, double sigma) {
     text += begin + std::to_string(first) + ',' + std::to_string(last) + ',';
-    append_fixed(&text, scale, 6);
-    append_fixed(&(text += ','), sigma, 5);
+    if (std::isfinite(sigma)) append_fixed(&text, scale, 6);
+    text += ',';
+    if (std::isfinite(sigma)) append_fixed(&text, sigma, 5);
     text += ',';
   };
   for (const EpochRecord& e : run.epochs) {

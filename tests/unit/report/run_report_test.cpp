@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "support/synthetic_run.h"
 #include "support/temp_folder.h"
@@ -54,6 +55,24 @@ TEST(RunReport, ShowsTheErrorOverTimeAndTheDriftByLength) {
   EXPECT_THAT(html, HasSubstr("Drift by length of the interval"));
   EXPECT_THAT(html, HasSubstr("<td>6.6 m</td>")) << "30 % of a path of 22 m";
   EXPECT_THAT(report_html({made.run, RunInfo(), {}, {}, {}}), Not(HasSubstr("Drift by length")));
+}
+
+TEST(RunReport, ShowsTheEpochsAndWhatRelatesThem) {
+  test::SyntheticRun made = test::synthetic_run();
+  EXPECT_THAT(report_html({made.run, RunInfo(), {}, {}, {}}), Not(HasSubstr("Units of length")));
+  const int last = made.run.frames.back().index;
+  made.run.epochs = {{0, 0, 0, 9, 1, 0}, {0, 1, 10, last, 1.25, 0.03}};
+  made.run.constraints = {{"ground", 5, 12, 1.25, 0.028, true},
+                          {"features", 6, 13, 0.5, 0.02, false},
+                          {"place", 6, 14, 1, std::numeric_limits<double>::infinity(), true}};
+  const std::string html = report_html({made.run, RunInfo(), {}, {}, {}});
+  EXPECT_THAT(html, HasSubstr("Units of length"));
+  EXPECT_THAT(html, HasSubstr("linked by ground"));
+  EXPECT_THAT(html, HasSubstr("contradicted by the others"));
+  EXPECT_THAT(html,
+              HasSubstr("<td>10 to " + std::to_string(last) + "</td><td>0</td><td>1.250</td><td>3.0 %</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>features</td><td>6 to 13</td><td>0.500</td><td>2.0 %</td><td>no</td>"));
+  EXPECT_THAT(html, HasSubstr("<td>place</td><td>6 to 14</td><td></td><td></td><td>yes</td>"));
 }
 
 TEST(RunReport, ShowsTheMapInTheUnitOfItsPath) {
