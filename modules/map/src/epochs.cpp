@@ -11,6 +11,7 @@
 #include "edgevo/core/motion_tolerance.h"
 #include "epoch_constraints.h"
 #include "keyframe_graph.h"
+#include "unit_guess.h"
 
 namespace edgevo {
 namespace {
@@ -200,52 +201,36 @@ class Epochs::Solver {
                    covariance_of_scale(std::max(kMistakenScale, std::sqrt(c.covariance(6, 6))))};
     return c;
   }
-  // As `trusted` says where it relates two epochs (null: nothing does), else as the epoch before.
-  std::vector<double> guess_scales(const Reduced* trusted) const {
-    std::vector<double> scales(epochs_.size(), 1.0);
-    for (size_t i = 1; i < epochs_.size(); ++i) {
-      scales[i] = scales[i - 1] * (epochs_[i].T_previous ? epochs_[i].T_previous->scale : 1);
-      if (!trusted || std::max(trusted->from, trusted->to) != i) continue;
-      const double ratio = trusted->constraint.T_from_to.scale;
-      scales[i] = trusted->to == i ? scales[trusted->from] * ratio : scales[trusted->to] / ratio;
-    }
-    return scales;
-  }
-
-  // From several guesses: that all doubts were groundless, and that one of the constraints is right.
-  GraphSolution solve_units(MapGraph* graph) const {
-    std::optional<GraphSolution> best;
-    for (size_t k = 0; k <= constraints_.size(); ++k) {
-      if (k > 0 && !measures_unit(constraints_[k - 1])) continue;
-      const std::vector<double> scales = guess_scales(k > 0 ? &constraints_[k - 1] : nullptr);
-      for (size_t i = 1; i < epochs_.size(); ++i) graph->set_guess(node(i), {scales[i], SE3()});
-      GraphSolution found = graph->solve(MapGraph::Sigmas::kEpochs);
-      if (!best || found.cost < best->cost) best = std::move(found);
-    }
-    return *best;
-  }
-
   void find_units(PlacedEpochs* placed) {
-    MapGraph graph;
-    std::map<int, size_t> continuity;  // by number in the graph
-    std::map<int, int> id_of;
-    for (size_t i = 1; i < epochs_.size(); ++i) graph.add_node(node(i), Sim3());
+    std::vector<UnitRelation> relations;
+    std::map<size_t, size_t> continuity;  // position in `relations` -> epoch
+    std::map<size_t, int> id_of;
     for (size_t i = 1; i < epochs_.size(); ++i) {
-      if (continues(i)) continuity[graph.add(continuity_of_unit(i))] = i;
-      if (is_joined(i)) graph.add(of_scale_alone(join_of_segment(i)));
+      if (continues(i))
+        continuity[relations.size()] = i, relations.push_back({i - 1, i, continuity_of_unit(i)});
+      if (is_joined(i)) relations.push_back({i - 1, i, of_scale_alone(join_of_segment(i))});
     }
     for (const Reduced& r : constraints_)
-      if (measures_unit(r)) id_of[graph.add(link_of_unit(r))] = r.id;
-    const GraphSolution found = solve_units(&graph);
+      if (measures_unit(r))
+        id_of[relations.size()] = r.id, relations.push_back({r.from, r.to, link_of_unit(r)});
+    const GraphSolution found = solve_units(relations);
     for (const int failed : found.failed) {
-      if (const auto c = continuity.find(failed); c != continuity.end()) lost_.insert(c->second);
-      if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
+      if (const auto c = continuity.find(size_t(failed)); c != continuity.end()) lost_.insert(c->second);
+      if (const auto c = id_of.find(size_t(failed)); c != id_of.end()) placed->unused.push_back(c->second);
     }
     for (size_t i = 1; i < epochs_.size(); ++i) {
       const NodeSolution& solution = found.nodes.at(node(i));
       scales_[i] = solution.T_world_node.scale;
       placed->epochs[i].scale_sigma = solution.log_scale_sigma;
     }
+  }
+
+  GraphSolution solve_units(const std::vector<UnitRelation>& relations) const {
+    const std::vector<double> guess = guess_units(epochs_.size(), relations);
+    MapGraph graph;
+    for (size_t i = 1; i < epochs_.size(); ++i) graph.add_node(node(i), {std::exp(guess[i]), SE3()});
+    for (const UnitRelation& r : relations) graph.add(r.constraint);
+    return graph.solve(MapGraph::Sigmas::kEpochs);
   }
 
   // ---- places ----

@@ -155,10 +155,11 @@ void RunBuilder::handle(const FrameAnchored& e) {
   }
 }
 
-// But those that constraints refer to.
+// But those that constraints refer to, or may.
 void RunBuilder::forget_places_before(int frame_index) {
   for (auto place = places_.begin(); place != places_.end() && place->second.frame_index < frame_index;)
-    place = epochs_.refers_to(place->first) ? std::next(place) : places_.erase(place);
+    place = epochs_.refers_to(place->first) || kept_.count(place->first) > 0 ? std::next(place)
+                                                                             : places_.erase(place);
 }
 
 // ---- epochs ----
@@ -363,6 +364,8 @@ Run RunBuilder::finish() {
   run.pinhole = rectification_.target();
   run.camera = camera_;
   run.segments = segments_;
+  for (const EpochPlace& e : placed.epochs)
+    if (e.epoch == 0) run.segments[size_t(e.segment)].scale_sigma = e.scale_sigma;
   run.epochs = epoch_records(placed);
   run.constraints = constraint_records(placed);
   std::map<int, int> position_of_keyframe;  // in run.keyframes

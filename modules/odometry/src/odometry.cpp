@@ -174,6 +174,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
     history.interrupt();
     integrity.add_lost();
+    keep_views_before();
     return;
   }
   if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
@@ -239,6 +240,7 @@ void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* trac
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found = integrity.add(now.frame.index, view, is_doubtful(*now.record));
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
+  if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {
     return frames.scale_of(v.segment, v.reference->keyframe_id);
   });
@@ -247,6 +249,10 @@ void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* trac
     report_links(now, *answer);
     tracked->confirms_map = answer->confirms_map;
   }
+}
+
+void Odometry::Impl::keep_views_before() {
+  for (const TrustedReference& view : integrity.before()) frames.keep(view.reference->keyframe_id);
 }
 
 // What links the map to a view before several doubts relates all epochs since.

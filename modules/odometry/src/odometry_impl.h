@@ -56,6 +56,8 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
+  // However long the doubt or the loss will last.
+  void keep_views_before();
   // What relates the map to what was seen before this doubt, or an earlier one.
   void keep_links(const ScaleAnswer& answer);
   void report_links(const ArrivedFrame& now, const ScaleAnswer& answer);

@@ -260,5 +260,18 @@ TEST(RunBuilder, ForgetsAllButTheNewestRowsAndTheKeyframes) {
   EXPECT_TRUE(run.frames.front().T_world_cam);
 }
 
+// A loss may last longer than the rows that are kept.
+TEST(RunBuilder, KeepsThePlaceOfAViewThatMayBeLinkedLater) {
+  RunBuilder builder(test::pinhole());
+  builder.forget_all_but(10);
+  builder.apply(at_origin());
+  builder.apply(keyframe(1, 3));
+  builder.apply(keyframe(2, 4));
+  builder.keep(1);
+  for (int i = 0; i < 50; ++i) builder.apply(frame(i));
+  EXPECT_TRUE(builder.find_keyframe(1));
+  EXPECT_FALSE(builder.find_keyframe(2));
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -88,8 +88,8 @@ class Epochs {
   /// one. `keyframes`: all that are known, ascending id. Cost: that of solve(), and some 0.1 ms a keyframe if
   /// there is such a constraint.
   PlacedEpochs solve_keyframes(const RunSoFar& run, const std::vector<KeyframeInMap>& keyframes) const;
-  /// Where all parts lie. Cost: a solution of the graph of units for each constraint (some 0.1 ms each in
-  /// small graphs), and one of that of places.
+  /// Where all parts lie. Cost: a solution of the graph of units and one of that of places, half a
+  /// millisecond an epoch.
   PlacedEpochs solve(const RunSoFar& run) const;
 
  private:

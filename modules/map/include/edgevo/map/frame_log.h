@@ -38,6 +38,8 @@ class FrameLog {
     constexpr size_t kKept = 2000;
     run_.forget_all_but(kKept);
   }
+  /// RunBuilder::keep(): of a view that the map may be linked to once a doubt or a loss has ended.
+  void keep(int keyframe_id) { run_.keep(keyframe_id); }
   /// Begins the record of a frame, which becomes the newest one.
   FrameRecord& begin_frame(const Frame& frame);
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.

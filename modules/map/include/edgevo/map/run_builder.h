@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,8 @@ class RunBuilder {
   /// Keeps only the newest `frames` rows from now on, and no keyframes: those who need more read the events
   /// as they come. finish() then returns these rows with their live poses.
   void forget_all_but(size_t frames) { most_rows_ = frames; }
+  /// Keeps the place of a keyframe nevertheless: a constraint may name it later.
+  void keep(int keyframe_id) { kept_.insert(keyframe_id); }
 
   /// Applies the next event. An event about a keyframe or segment that is not known is ignored: it can only
   /// come from a log on disk that was cut off.
@@ -132,6 +135,7 @@ class RunBuilder {
   Rectification rectification_;
   CameraRefinement camera_;
   size_t most_rows_ = 0;  // 0: all
+  std::set<int> kept_;    // keep()
   size_t forgotten_ = 0;  // rows before those of rows_
   std::deque<Row> rows_;
   std::map<int, size_t> position_;              // frame index -> number of the row
