@@ -11,7 +11,8 @@
 namespace edgevo {
 namespace {
 
-// Of the logarithm of the unit, from one keyframe to the next, a random walk.
+// Of the logarithm of the unit, from one keyframe to the next, a random walk: 1 to 2 % over forty metres of
+// drives with a keyframe a metre.
 constexpr double kDrift = 0.002;
 // Of a relative pose, beyond what the adjustment knows: a share of its length, median depths of a first map,
 // and radians.
