@@ -5,6 +5,10 @@
 
 namespace edgevo {
 
+/// Probability that what shows a place shows one that looks alike, and how many times as uncertain it is
+/// then.
+inline constexpr double kPlaceMistaken = 0.2, kWithoutPlace = 30;
+
 /// Of independent errors: standard deviations of each coordinate of the place, of the rotation about each
 /// axis, and of the logarithm of the scale. A place is never more certain than rounding.
 Matrix7d covariance_of(double position, double rotation, double scale);

@@ -11,6 +11,7 @@
 #include "edgevo/core/motion_tolerance.h"
 #include "epoch_constraints.h"
 #include "keyframe_graph.h"
+#include "stated_poses.h"
 #include "unit_guess.h"
 
 namespace edgevo {
@@ -24,10 +25,10 @@ constexpr double kLostScale = 1;
 // Share of doubts that end with another unit: chosen, between the 2 % of right frames that are doubted and
 // the half of provoked failures after which a unit is another one.
 constexpr double kLostProbability = 0.3;
-// That a guess by constant velocity fails, that features show a place that looks alike, and that they mistake
-// the unit. A place that failed is so many times as uncertain. Chosen by their order, not fitted: places that
-// look alike are commoner than bent maps, and a camera seldom leaves what its speed says by sigmas.
-constexpr double kGuessFails = 0.05, kPlaceMistaken = 0.2, kUnitMistaken = 0.1, kWithoutPlace = 30;
+// That a guess by constant velocity fails, and that features mistake the unit. Chosen by their order, not
+// fitted: places that look alike (kPlaceMistaken) are commoner than bent maps, and a camera seldom leaves
+// what its speed says by sigmas.
+constexpr double kGuessFails = 0.05, kUnitMistaken = 0.1;
 // Of the place after a doubt whose keyframes are not known (any more), and of a join without a velocity: ten
 // median depths of a first map, and any direction (rad).
 constexpr double kUnknownCourse = 100, kUnknownRotation = 1;
@@ -36,6 +37,11 @@ constexpr double kUnknownCourse = 100, kUnknownRotation = 1;
 constexpr double kLeastJoin = 0.2;
 // Of a unit that is mistaken (logarithm): that of a bent map.
 constexpr double kMistakenScale = 0.3;
+
+// Of what is known of features before a run: one place of five is mistaken, and where one is, others are.
+constexpr MistakenViews kMistakenViews{0.25, 1};
+// Where a view lies that looks alike: three median depths of a first map.
+constexpr double kMistakenPosition = 30;
 
 double squared(double x) { return x * x; }
 
@@ -272,31 +278,55 @@ class Epochs::Solver {
     return between_maps(r.constraint, r.T_map_from, r.T_map_to, ratio(r.from, r.to));
   }
 
-  // Whether two constraints of the same epochs show one place, within three standard deviations.
-  bool show_one_place(const Reduced& a, const Reduced& b) const {
-    constexpr double kSigmas = 3;
-    const Constraint first = link_of_place(a), second = link_of_place(b);
-    const auto sigma = [&](int i) { return std::sqrt(first.covariance(i, i) + second.covariance(i, i)); };
-    const Eigen::Vector3d camera = a.T_map_to.translation();
-    const double apart = (first.T_from_to * camera - second.T_from_to * camera).norm();
-    const double turned = (first.T_from_to.rigid.inverse() * second.T_from_to.rigid).angle();
-    return apart < kSigmas * sigma(0) && turned < kSigmas * sigma(3);
+  Constraint in_world(const Reduced& r, double fails) const {
+    return in_world_unit(link_of_place(r), scales_[r.from], fails, kWithoutPlace);
   }
-  // Scenes repeat themselves: of several constraints of the same epochs one that no other confirms shows a
-  // place that looks alike.
-  bool is_mistaken(const Reduced& r, const std::vector<Reduced>& links) const {
-    int others = 0, agreeing = 0;
-    for (const Reduced& other : links)
-      if (other.id != r.id && other.from == r.from && other.to == r.to)
-        ++others, agreeing += show_one_place(r, other);
-    return others > 0 && agreeing == 0;
+  Constraint in_world(size_t i, const Constraint& join) const {
+    return in_world_unit(join, scales_[i - 1], continues(i) ? 0 : kGuessFails, kWithoutPlace);
+  }
+
+  // What is expected of a camera by the joins between two epochs alone; nothing if one is not joined.
+  std::optional<GuessedPose> expected_pose(const Reduced& r, const SE3& T_to_cam) const {
+    std::vector<Constraint> joins;
+    double right = 1;
+    for (size_t i = r.from + 1; i <= r.to; ++i) {
+      const auto join = join_of_place(i);
+      if (!join) return std::nullopt;
+      joins.push_back(in_world(i, *join));
+      if (!continues(i)) right *= 1 - kGuessFails;
+    }
+    return GuessedPose{state_pose(joins, T_to_cam), 1 - right};
+  }
+
+  // Of the links that show the same epochs, in time order: whether they hold, by what they say of the camera
+  // that the first one names.
+  std::vector<bool> hold(const std::vector<const Reduced*>& links, const MistakenViews& known) const {
+    const Reduced& first = *links.front();
+    const SE3 T_to_cam(first.T_map_to.rotation(), scales_[first.to] * first.T_map_to.translation());
+    std::vector<StatedPose> views;
+    for (const Reduced* r : links) views.push_back(state_pose({in_world(*r, 0)}, T_to_cam));
+    return views_that_hold(views, expected_pose(first, T_to_cam), known,
+                           {kMistakenPosition * scales_[first.from], kUnknownRotation});
+  }
+  // In a scene that repeats itself one mistake makes others more probable.
+  void drop_mistaken_places(const std::vector<Reduced>& links, PlacedEpochs* placed) const {
+    std::map<std::pair<size_t, size_t>, std::vector<const Reduced*>> by_epochs;
+    for (const Reduced& r : links)
+      if (r.from < r.to) by_epochs[{r.from, r.to}].push_back(&r);
+    MistakenViews known = kMistakenViews;
+    for (const auto& [epochs, of_these] : by_epochs) {
+      const std::vector<bool> holds = hold(of_these, known);
+      for (size_t k = 0; k < holds.size(); ++k) {
+        ++(holds[k] ? known.right : known.mistaken);
+        if (!holds[k]) placed->unused.push_back(of_these[k]->id);
+      }
+    }
   }
 
   // The nodes have the unit of the world.
   void find_places(PlacedEpochs* placed) const {
     const std::vector<Reduced> links = links_of_places(constraints_, *placed);
-    for (const Reduced& r : links)
-      if (is_mistaken(r, links)) placed->unused.push_back(r.id);
+    drop_mistaken_places(links, placed);
     MapGraph graph;
     const Sim3& T_run_first = epochs_[0].place.T_world_map;
     for (size_t i = 1; i < epochs_.size(); ++i) {
@@ -304,13 +334,10 @@ class Epochs::Solver {
       graph.add_node(node(i), {1, guess.rigid});
     }
     for (size_t i = 1; i < epochs_.size(); ++i)
-      if (const auto c = join_of_place(i))
-        graph.add(in_world_unit(*c, scales_[i - 1], continues(i) ? 0 : kGuessFails, kWithoutPlace));
+      if (const auto c = join_of_place(i)) graph.add(in_world(i, *c));
     std::map<int, int> id_of;
     for (const Reduced& r : links)
-      if (!placed->is_unused(r.id))
-        id_of[graph.add(in_world_unit(link_of_place(r), scales_[r.from], kPlaceMistaken, kWithoutPlace))] =
-            r.id;
+      if (!placed->is_unused(r.id)) id_of[graph.add(in_world(r, kPlaceMistaken))] = r.id;
     const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
     for (const int failed : found.failed)
       if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);

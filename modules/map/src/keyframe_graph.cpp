@@ -17,8 +17,6 @@ constexpr double kDrift = 0.002;
 // Of a relative pose, beyond what the adjustment knows: a share of its length, median depths of a first map,
 // and radians.
 constexpr double kShare = 0.01, kLeast = 0.002, kRotation = rad(0.1);
-// That a place is mistaken, and how many times as uncertain it is then.
-constexpr double kPlaceMistaken = 0.2, kWithoutPlace = 30;
 
 NodeId node(int keyframe_id) { return NodeId::keyframe(keyframe_id); }
 

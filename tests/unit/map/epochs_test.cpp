@@ -141,7 +141,7 @@ TEST(Epochs, ANewSegmentMovesToWhereFeaturesSeeIt) {
   placed.segment = 1, placed.method = SegmentPlaced::Method::kVelocity;
   placed.T_world_map = {1.7,
                         SE3(Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitY())), {1, 0, 9})};
-  placed.scale_sigma = 0.5, placed.rotation_sigma = 0.3, placed.position_sigma = 2;
+  placed.scale_sigma = 0.5, placed.rotation_sigma = 0.3, placed.position_sigma = 6;
   epochs.begin_segment(placed, {});
   RunSoFar run = drive.run();
   run.keyframe = [inner = run.keyframe](int id) {
