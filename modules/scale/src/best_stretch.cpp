@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "best_stretch.h"
+
+#include <algorithm>
+
+namespace edgevo {
+namespace {
+
+constexpr size_t kSteps = 64;  // places where a stretch may begin: finer costs the square of it
+
+}  // namespace
+
+Stretch best_stretch(const std::vector<Eigen::Vector3d>& values) {
+  const size_t n = values.size(), steps = std::min(n, kSteps);
+  std::vector<size_t> places;
+  for (size_t k = 0; k <= steps; ++k) places.push_back(steps > 0 ? k * n / steps : 0);
+  std::vector<Eigen::Vector3d> sums{Eigen::Vector3d::Zero()};  // before each place
+  for (size_t k = 0; k < steps; ++k) {
+    sums.push_back(sums.back());
+    for (size_t i = places[k]; i < places[k + 1]; ++i) sums.back() += values[i];
+  }
+  Stretch best;
+  double best_square = 0;
+  for (size_t a = 0; a < steps; ++a)
+    for (size_t b = a + 1; b <= steps; ++b) {
+      const double share = double(places[b] - places[a]) / double(n);
+      if (share >= 1) continue;
+      const double square =
+          (sums[b] - sums[a] - share * sums[steps]).squaredNorm() / (share * (1 - share));
+      if (square > best_square) best_square = square, best = {places[a], places[b]};
+    }
+  return best;
+}
+
+}  // namespace edgevo
