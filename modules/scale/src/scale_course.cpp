@@ -13,6 +13,8 @@ namespace edgevo {
 namespace {
 
 constexpr double kKnotsPerInterval = 2;
+// Knots to each side whose measurements are candidates of a guess: two and a half intervals.
+constexpr size_t kCandidateKnots = 5;
 // Of the logarithm of the scale over one interval: 0.6 to 1.6 % over 40 m on three KITTI drives and one of
 // Karlsruhe, by their ground truth.
 constexpr double kDriftSigma = 0.015;
@@ -39,14 +41,34 @@ Matrix7d covariance_of_log_scale(double sigma) {
   return covariance;
 }
 
+// What is measured `times` over counts so often: its variance is multiplied by it, and what a failure costs
+// is divided by it, since all fail at once. With p the probability of a failure and s, f the standard
+// deviations without and with it, it costs 2 ln((1 - p) / p) + 2 ln(f / s).
+double probability_of_share(double probability, double sigma, double times) {
+  const double odds = (1 - probability) / probability, widths = std::hypot(sigma, kFaultSigma) / sigma,
+               shared_sigma = std::sqrt(times) * sigma,
+               shared_widths = std::hypot(shared_sigma, kFaultSigma) / shared_sigma;
+  return 1 / (1 + std::pow(odds * widths, 1 / times) / shared_widths);
+}
+
 // The scale alone, which can fail to be right by kFaultSigma more.
-Constraint of_scale(NodeId from, NodeId to, double scale, double sigma, double fails, ConstraintKind kind) {
+Constraint of_scale(NodeId from, NodeId to, double scale, double sigma, double fails, double times,
+                    ConstraintKind kind) {
+  const double shared_sigma = std::sqrt(times) * sigma;
   Constraint c;
   c.from = from, c.to = to, c.kind = kind;
   c.T_from_to.scale = scale;
-  c.covariance = covariance_of_log_scale(sigma);
-  c.failure = {fails, covariance_of_log_scale(std::hypot(sigma, kFaultSigma))};
+  c.covariance = covariance_of_log_scale(shared_sigma);
+  c.failure = {probability_of_share(fails, sigma, times),
+               covariance_of_log_scale(std::hypot(shared_sigma, kFaultSigma))};
   return c;
+}
+
+// Of a residual of the logarithm of the scale, in the mode that costs less.
+double cost_of(double residual, const Constraint& c) {
+  const double held = c.covariance(6, 6), failed = c.failure->covariance(6, 6), p = c.failure->probability;
+  const double square = residual * residual;
+  return std::min(square / held, square / failed + std::log(failed / held) + 2 * std::log((1 - p) / p));
 }
 
 class CourseGraph {
@@ -63,9 +85,12 @@ class CourseGraph {
   double interval_units(size_t path) const;
   void place_knots();
   void measure();
+  std::vector<Constraint> constraints_of_measurements() const;
+  std::vector<std::optional<Constraint>> links() const;
+  std::vector<double> candidates(size_t knot) const;
+  std::vector<double> guess() const;
   void add_nodes(MapGraph* graph) const;
-  void add_sources(MapGraph* graph);
-  void link_knots(MapGraph* graph) const;
+  void add_constraints(MapGraph* graph);
   void adopt(const GraphSolution& solution);
   void fill_unlinked();
   std::vector<ScaleEstimate> along(size_t path) const;
@@ -83,6 +108,8 @@ class CourseGraph {
   std::vector<double> intervals_;  // by path, units
   std::vector<IntervalMeasurement> measurements_;
   std::vector<size_t> knot_of_;             // by measurement
+  std::vector<Constraint> measured_;        // by measurement
+  std::vector<std::optional<Constraint>> links_;  // of each knot to the one before
   std::map<int, size_t> measurement_of_;    // by constraint
   std::map<int, size_t> source_of_;         // by constraint of what its measurements have in common
 };
@@ -127,47 +154,94 @@ void CourseGraph::measure() {
   }
 }
 
+std::vector<Constraint> CourseGraph::constraints_of_measurements() const {
+  std::vector<double> counted(paths_.size(), 0.0);  // how often, in lengths of the path
+  for (const Knot& knot : knots_) counted[knot.path] += knot.end - knot.begin;
+  std::vector<Constraint> constraints;
+  for (size_t i = 0; i < measurements_.size(); ++i) {
+    const IntervalMeasurement& m = measurements_[i];
+    const double whole = paths_[m.path].path->back().distance;
+    const double times = whole > 0 ? std::max(1.0, counted[m.path] / whole) : 1;
+    const bool common = has_common(m.source);
+    constraints.push_back(of_scale(common ? node_of_source(m.source) : NodeId::world(), node(knot_of_[i]),
+                                   m.fit.scale.factor, std::max(m.fit.scale.sigma, kLeastSigma),
+                                   kFaultProbability, times,
+                                   common ? ConstraintKind::kGround : ConstraintKind::kMetric));
+  }
+  return constraints;
+}
+
+std::vector<std::optional<Constraint>> CourseGraph::links() const {
+  std::vector<std::optional<Constraint>> links(knots_.size());
+  for (size_t k = 1; k < knots_.size(); ++k) {
+    double link_sigma = 0;
+    if (knots_[k].path != knots_[k - 1].path) {
+      if (!paths_[knots_[k].path].link_sigma) continue;
+      link_sigma = *paths_[knots_[k].path].link_sigma;
+    }
+    const double sigma = std::hypot(kDriftSigma / std::sqrt(kKnotsPerInterval), link_sigma);
+    links[k] =
+        of_scale(node(k - 1), node(k), 1, sigma, kUnitChangeProbability, 1, ConstraintKind::kNeighbour);
+  }
+  return links;
+}
+
+// Logarithms of what was measured near a knot.
+std::vector<double> CourseGraph::candidates(size_t knot) const {
+  const auto first = std::lower_bound(knot_of_.begin(), knot_of_.end(), knot - std::min(knot, kCandidateKnots));
+  const auto last = std::upper_bound(first, knot_of_.end(), knot + kCandidateKnots);
+  std::vector<double> logs;
+  for (auto at = first; at != last; ++at)
+    logs.push_back(std::log(measurements_[size_t(at - knot_of_.begin())].fit.scale.factor));
+  if (logs.empty()) logs.push_back(std::log(measurements_.front().fit.scale.factor));
+  return logs;
+}
+
+// The least cost along the knots where each takes one of its candidates, by dynamic programming: however many
+// neighbours lie together, the graph then begins at the right side.
+std::vector<double> CourseGraph::guess() const {
+  std::vector<std::vector<double>> logs, costs;
+  std::vector<std::vector<size_t>> before;
+  size_t next = 0;  // measurement
+  for (size_t k = 0; k < knots_.size(); ++k) {
+    logs.push_back(candidates(k));
+    costs.emplace_back(), before.emplace_back();
+    const size_t first = next;
+    while (next < measured_.size() && knot_of_[next] == k) ++next;
+    for (const double x : logs[k]) {
+      size_t best = 0;
+      double least = k == 0 ? 0 : std::numeric_limits<double>::infinity();
+      for (size_t j = 0; k > 0 && j < logs[k - 1].size(); ++j) {
+        const double cost = costs[k - 1][j] + (links_[k] ? cost_of(x - logs[k - 1][j], *links_[k]) : 0);
+        if (cost < least) least = cost, best = j;
+      }
+      for (size_t i = first; i < next; ++i)
+        least += cost_of(x - std::log(measured_[i].T_from_to.scale), measured_[i]);
+      costs[k].push_back(least), before[k].push_back(best);
+    }
+  }
+  std::vector<double> guess(knots_.size());
+  size_t at = size_t(std::min_element(costs.back().begin(), costs.back().end()) - costs.back().begin());
+  for (size_t k = knots_.size(); k-- > 0; at = before[k][at]) guess[k] = std::exp(logs[k][at]);
+  return guess;
+}
+
 void CourseGraph::add_nodes(MapGraph* graph) const {
-  std::vector<double> factors;
-  for (const IntervalMeasurement& m : measurements_) factors.push_back(m.fit.scale.factor);
-  const Sim3 guess{median(std::move(factors)), SE3()};
-  for (size_t k = 0; k < knots_.size(); ++k) graph->add_node(node(k), guess);
+  const std::vector<double> scales = guess();
+  for (size_t k = 0; k < knots_.size(); ++k) graph->add_node(node(k), Sim3{scales[k], SE3()});
   for (size_t s = 0; s < paths_.front().sources.size(); ++s)
     if (has_common(s)) graph->add_node(node_of_source(s), Sim3());
 }
 
-void CourseGraph::add_sources(MapGraph* graph) {
+void CourseGraph::add_constraints(MapGraph* graph) {
   for (size_t s = 0; s < paths_.front().sources.size(); ++s)
     if (has_common(s))
       source_of_[graph->add(of_scale(NodeId::world(), node_of_source(s), 1,
                                      common_sigma(paths_.front().sources[s].source, params_),
-                                     kFaultProbability, ConstraintKind::kMetric))] = s;
-  std::vector<double> counted(paths_.size(), 0.0);  // how often, in lengths of the path
-  for (const Knot& knot : knots_) counted[knot.path] += knot.end - knot.begin;
-  for (size_t i = 0; i < measurements_.size(); ++i) {
-    const IntervalMeasurement& m = measurements_[i];
-    const double whole = paths_[m.path].path->back().distance;
-    const double times = whole > 0 ? counted[m.path] / whole : 1;
-    const bool common = has_common(m.source);
-    measurement_of_[graph->add(of_scale(common ? node_of_source(m.source) : NodeId::world(),
-                                        node(knot_of_[i]), m.fit.scale.factor,
-                                        std::max(std::sqrt(times) * m.fit.scale.sigma, kLeastSigma),
-                                        kFaultProbability,
-                                        common ? ConstraintKind::kGround : ConstraintKind::kMetric))] = i;
-  }
-}
-
-void CourseGraph::link_knots(MapGraph* graph) const {
-  for (size_t k = 1; k < knots_.size(); ++k) {
-    const Knot &a = knots_[k - 1], &b = knots_[k];
-    double link_sigma = 0;
-    if (a.path != b.path) {
-      if (!paths_[b.path].link_sigma) continue;
-      link_sigma = *paths_[b.path].link_sigma;
-    }
-    const double sigma = std::hypot(kDriftSigma / std::sqrt(kKnotsPerInterval), link_sigma);
-    graph->add(of_scale(node(k - 1), node(k), 1, sigma, kUnitChangeProbability, ConstraintKind::kNeighbour));
-  }
+                                     kFaultProbability, 1, ConstraintKind::kMetric))] = s;
+  for (size_t i = 0; i < measured_.size(); ++i) measurement_of_[graph->add(measured_[i])] = i;
+  for (const std::optional<Constraint>& link : links_)
+    if (link) graph->add(*link);
 }
 
 void CourseGraph::adopt(const GraphSolution& solution) {
@@ -230,10 +304,11 @@ std::vector<ScaleEstimate> CourseGraph::along(size_t path) const {
 ScaleCourse CourseGraph::solve() {
   ScaleCourse course;
   if (measurements_.empty()) return course;
+  measured_ = constraints_of_measurements();
+  links_ = links();
   MapGraph graph;
   add_nodes(&graph);
-  add_sources(&graph);
-  link_knots(&graph);
+  add_constraints(&graph);
   adopt(graph.solve());
   fill_unlinked();
   for (size_t p = 0; p < paths_.size(); ++p) course.of_path.push_back(along(p));

@@ -79,17 +79,17 @@ Steps steps_of(const SourceSamples& samples, const MeasuredPath& path,
   return steps;
 }
 
-// The part of the failed intervals in which the steps differ most from the others, if they do so as the
-// intervals say.
+// The part of the failed intervals in which the steps differ most from the others, if most of what the
+// intervals are too long or too short by is there.
 void narrow_down(const Steps& steps, ScaleFault* fault) {
   if (steps.excess.empty()) return;
   const Stretch worst = best_stretch(steps.excess);
-  double along = 0, metres = 0;
+  double along = 0, metres = 0, all = 0;
   for (size_t i = worst.begin; i < worst.end; ++i) along += steps.along[i], metres += steps.metres[i];
-  if (!(along > 0) || !(metres > 0)) return;
-  const double log_excess = std::log(along / metres);
-  if (log_excess * fault->log_excess < 0 || std::abs(log_excess) < std::abs(fault->log_excess)) return;
-  fault->log_excess = log_excess;
+  for (const Eigen::Vector3d& excess : steps.excess) all += excess.x();
+  const double there = along - metres;
+  if (!(along > 0) || !(metres > 0) || there * all < 0 || std::abs(there) < std::abs(all) / 2) return;
+  fault->log_excess = std::log(along / metres);
   fault->first_frame = steps.first_frame[worst.begin], fault->last_frame = steps.last_frame[worst.end - 1];
 }
 
