@@ -2,6 +2,7 @@
 #include "best_stretch.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgevo {
 namespace {
@@ -30,6 +31,24 @@ Stretch best_stretch(const std::vector<Eigen::Vector3d>& values) {
       if (square > best_square) best_square = square, best = {places[a], places[b]};
     }
   return best;
+}
+
+double gain_by_chance(double values, double axes) { return (4 + axes) * std::log(values); }
+
+bool stands_out(const Stretch& stretch, const std::vector<Eigen::Vector3d>& values) {
+  const double n = double(values.size()), inside = double(stretch.end - stretch.begin);
+  double sum = 0, squares = 0, sum_inside = 0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const double x = values[i].x();
+    sum += x, squares += x * x;
+    if (i >= stretch.begin && i < stretch.end) sum_inside += x;
+  }
+  const double outside = n - inside, sum_outside = sum - sum_inside;
+  if (!(inside > 0) || !(outside > 0)) return false;
+  const double one_mean = squares - sum * sum / n;
+  const double two_means =
+      squares - sum_inside * sum_inside / inside - sum_outside * sum_outside / outside;
+  return n * std::log(one_mean / two_means) > gain_by_chance(n, 1);
 }
 
 }  // namespace edgevo

@@ -15,4 +15,11 @@ struct Stretch {
 /// Within 1/64 of the series. Cost: a few microseconds.
 Stretch best_stretch(const std::vector<Eigen::Vector3d>& values);
 
+/// What white noise gains in -2 ln of its probability by the best of all stretches of so many values, each
+/// with a mean of `axes` components of its own (the Bayesian information criterion).
+double gain_by_chance(double values, double axes);
+
+/// Whether values of one component gain more than that.
+bool stands_out(const Stretch& stretch, const std::vector<Eigen::Vector3d>& values);
+
 }  // namespace edgevo

@@ -112,7 +112,7 @@ void LiveScale::estimate() {
     if (source.kind == ScaleSource::Kind::kCameraHeight) samples.heights = heights_;
     measured.sources.push_back(std::move(samples));
   }
-  const ScaleCourse course = solve_scale_course({measured}, params_);
+  const ScaleCourse course = solve_scale_course({measured}, params_, CourseModes::kOfGuess);
   if (!course.of_path.empty()) newest_ = course.of_path.front().back();
 }
 

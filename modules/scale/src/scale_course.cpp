@@ -34,6 +34,8 @@ struct Knot {
   ScaleEstimate scale{1, 0, 0};
 };
 
+double length_of(const Path& path) { return path.back().distance - path.front().distance; }
+
 Matrix7d covariance_of_log_scale(double sigma) {
   Matrix7d covariance = Matrix7d::Zero();
   covariance.diagonal().setConstant(std::numeric_limits<double>::infinity());
@@ -71,10 +73,18 @@ double cost_of(double residual, const Constraint& c) {
   return std::min(square / held, square / failed + std::log(failed / held) + 2 * std::log((1 - p) / p));
 }
 
+// Without a choice: in the mode that costs less.
+Constraint in_better_mode(double residual, Constraint c) {
+  const double square = residual * residual;
+  if (cost_of(residual, c) < square / c.covariance(6, 6)) c.covariance = c.failure->covariance;
+  c.failure.reset();
+  return c;
+}
+
 class CourseGraph {
  public:
-  CourseGraph(const std::vector<MeasuredPath>& paths, const ScaleParams& params)
-      : paths_(paths), params_(params) {
+  CourseGraph(const std::vector<MeasuredPath>& paths, const ScaleParams& params, CourseModes modes)
+      : paths_(paths), params_(params), modes_(modes) {
     place_knots();
     measure();
   }
@@ -89,7 +99,8 @@ class CourseGraph {
   std::vector<std::optional<Constraint>> links() const;
   std::vector<double> candidates(size_t knot) const;
   std::vector<double> guess() const;
-  void add_nodes(MapGraph* graph) const;
+  void fix_modes(const std::vector<double>& guess);
+  void add_nodes(const std::vector<double>& guess, MapGraph* graph) const;
   void add_constraints(MapGraph* graph);
   void adopt(const GraphSolution& solution);
   void fill_unlinked();
@@ -104,6 +115,7 @@ class CourseGraph {
 
   const std::vector<MeasuredPath>& paths_;
   const ScaleParams& params_;
+  const CourseModes modes_;
   std::vector<Knot> knots_;
   std::vector<double> intervals_;  // by path, units
   std::vector<IntervalMeasurement> measurements_;
@@ -116,7 +128,7 @@ class CourseGraph {
 
 // The whole path if no scale is known or it is shorter.
 double CourseGraph::interval_units(size_t path) const {
-  const double whole = paths_[path].path->back().distance;
+  const double whole = length_of(*paths_[path].path);
   std::vector<double> factors;
   for (const SourceSamples& samples : paths_[path].sources)
     if (const auto factor = rough_scale(samples, params_)) factors.push_back(*factor);
@@ -125,18 +137,19 @@ double CourseGraph::interval_units(size_t path) const {
 
 void CourseGraph::place_knots() {
   for (size_t p = 0; p < paths_.size(); ++p) {
-    const double whole = paths_[p].path->back().distance, length = interval_units(p);
+    const double start = paths_[p].path->front().distance, whole = length_of(*paths_[p].path);
+    const double length = interval_units(p);
     intervals_.push_back(length);
     const int steps = length > 0 ? int(std::ceil(kKnotsPerInterval * (whole - length) / length)) : 0;
     for (int i = 0; i <= steps; ++i) {
-      const double begin = steps > 0 ? (whole - length) * i / steps : 0;
+      const double begin = start + (steps > 0 ? (whole - length) * i / steps : 0);
       const double half_step = steps > 0 ? (whole - length) / steps / 2 : whole;
       Knot knot;
       knot.path = p;
       knot.begin = begin, knot.end = begin + length;
       knot.distance = begin + length / 2;
-      knot.zone_begin = i == 0 ? 0 : knot.distance - half_step;
-      knot.zone_end = i == steps ? whole : knot.distance + half_step;
+      knot.zone_begin = i == 0 ? start : knot.distance - half_step;
+      knot.zone_end = i == steps ? start + whole : knot.distance + half_step;
       knots_.push_back(knot);
     }
   }
@@ -160,7 +173,7 @@ std::vector<Constraint> CourseGraph::constraints_of_measurements() const {
   std::vector<Constraint> constraints;
   for (size_t i = 0; i < measurements_.size(); ++i) {
     const IntervalMeasurement& m = measurements_[i];
-    const double whole = paths_[m.path].path->back().distance;
+    const double whole = length_of(*paths_[m.path].path);
     const double times = whole > 0 ? std::max(1.0, counted[m.path] / whole) : 1;
     const bool common = has_common(m.source);
     constraints.push_back(of_scale(common ? node_of_source(m.source) : NodeId::world(), node(knot_of_[i]),
@@ -226,9 +239,16 @@ std::vector<double> CourseGraph::guess() const {
   return guess;
 }
 
-void CourseGraph::add_nodes(MapGraph* graph) const {
-  const std::vector<double> scales = guess();
-  for (size_t k = 0; k < knots_.size(); ++k) graph->add_node(node(k), Sim3{scales[k], SE3()});
+void CourseGraph::fix_modes(const std::vector<double>& guess) {
+  for (size_t i = 0; i < measured_.size(); ++i)
+    measured_[i] =
+        in_better_mode(std::log(guess[knot_of_[i]] / measured_[i].T_from_to.scale), measured_[i]);
+  for (size_t k = 1; k < links_.size(); ++k)
+    if (links_[k]) links_[k] = in_better_mode(std::log(guess[k] / guess[k - 1]), *links_[k]);
+}
+
+void CourseGraph::add_nodes(const std::vector<double>& guess, MapGraph* graph) const {
+  for (size_t k = 0; k < knots_.size(); ++k) graph->add_node(node(k), Sim3{guess[k], SE3()});
   for (size_t s = 0; s < paths_.front().sources.size(); ++s)
     if (has_common(s)) graph->add_node(node_of_source(s), Sim3());
 }
@@ -306,8 +326,10 @@ ScaleCourse CourseGraph::solve() {
   if (measurements_.empty()) return course;
   measured_ = constraints_of_measurements();
   links_ = links();
+  const std::vector<double> begin = guess();
+  if (modes_ == CourseModes::kOfGuess) fix_modes(begin);
   MapGraph graph;
-  add_nodes(&graph);
+  add_nodes(begin, &graph);
   add_constraints(&graph);
   adopt(graph.solve());
   fill_unlinked();
@@ -318,9 +340,10 @@ ScaleCourse CourseGraph::solve() {
 
 }  // namespace
 
-ScaleCourse solve_scale_course(const std::vector<MeasuredPath>& paths, const ScaleParams& params) {
+ScaleCourse solve_scale_course(const std::vector<MeasuredPath>& paths, const ScaleParams& params,
+                               CourseModes modes) {
   if (paths.empty()) return {};
-  return CourseGraph(paths, params).solve();
+  return CourseGraph(paths, params, modes).solve();
 }
 
 }  // namespace edgevo

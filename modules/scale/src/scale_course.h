@@ -48,8 +48,16 @@ struct ScaleCourse {
   std::vector<IntervalMeasurement> measurements;
 };
 
+/// Which constraints hold and which have failed.
+enum class CourseModes {
+  kOfGraph,  ///< As the graph finds, which begins at the guess.
+  kOfGuess   ///< As the guess says, the least cost where each knot takes a value that was measured near it: a
+             ///< tenth of the time.
+};
+
 /// Cost: two fits for each interval and source, and the solution of the graph, which is linear in the length
-/// of the run.
-ScaleCourse solve_scale_course(const std::vector<MeasuredPath>& paths, const ScaleParams& params);
+/// of the run. With kOfGuess IntervalMeasurement::holds is not set.
+ScaleCourse solve_scale_course(const std::vector<MeasuredPath>& paths, const ScaleParams& params,
+                               CourseModes modes = CourseModes::kOfGraph);
 
 }  // namespace edgevo

@@ -84,6 +84,7 @@ Steps steps_of(const SourceSamples& samples, const MeasuredPath& path,
 void narrow_down(const Steps& steps, ScaleFault* fault) {
   if (steps.excess.empty()) return;
   const Stretch worst = best_stretch(steps.excess);
+  if (!stands_out(worst, steps.excess)) return;
   double along = 0, metres = 0, all = 0;
   for (size_t i = worst.begin; i < worst.end; ++i) along += steps.along[i], metres += steps.metres[i];
   for (const Eigen::Vector3d& excess : steps.excess) all += excess.x();

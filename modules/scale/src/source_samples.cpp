@@ -2,9 +2,13 @@
 #include "source_samples.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace edgevo {
 namespace {
+
+// Of the variance of height and ground: the height is the same all along, the ground is not.
+constexpr double kCommonShare = 0.5;
 
 // The samples within an interval, from a list sorted by travelled distance.
 template <class Sample>
@@ -31,9 +35,9 @@ std::optional<IntervalFit> fit_positions(const SourceSamples& samples, double be
   return found;
 }
 
-ScaleParams without_common(const ScaleParams& params) {
+ScaleParams own_params(const ScaleParams& params) {
   ScaleParams own = params;
-  own.ground_sigma = 0;
+  own.ground_sigma = std::sqrt(1 - kCommonShare) * params.ground_sigma;
   return own;
 }
 
@@ -43,7 +47,7 @@ std::optional<IntervalFit> fit_interval(const SourceSamples& samples, double beg
                                         const ScaleParams& params) {
   if (samples.source.sensor()) return fit_positions(samples, begin, end, params);
   const auto fit = fit_height(part(samples.heights, in_interval(samples.heights, begin, end)),
-                              samples.source.value, without_common(params));
+                              samples.source.value, own_params(params));
   if (!fit) return std::nullopt;
   return IntervalFit{*fit, Eigen::Matrix3d::Identity(), {}};
 }
@@ -55,7 +59,7 @@ std::optional<double> rough_scale(const SourceSamples& samples, const ScaleParam
 }
 
 double common_sigma(const ScaleSource& source, const ScaleParams& params) {
-  return source.kind == ScaleSource::Kind::kCameraHeight ? params.ground_sigma : 0;
+  return source.kind == ScaleSource::Kind::kCameraHeight ? std::sqrt(kCommonShare) * params.ground_sigma : 0;
 }
 
 }  // namespace edgevo
