@@ -23,7 +23,8 @@ edgevo::Run metric_run(const std::string& scene, int frames) {
         {renderer->scene().times[i],
          renderer->scene().T_scene_cam[i].translation() - renderer->scene().T_scene_cam[0].translation()});
   const ScaleSources requested = parse_scale_sources("robot_pose");
-  const RunScale scale = estimate_run_scale(run, requested, {{VehicleSensor::kRobotPose, track}}, ScaleParams());
+  const RunScale scale =
+      estimate_run_scale(run, requested, {{VehicleSensor::kRobotPose, track}}, ScaleParams());
   EXPECT_EQ(scale.problem, "");
   if (scale.problem.empty()) make_metric(scale, {}, requested, &run);
   return run;

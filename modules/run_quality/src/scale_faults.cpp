@@ -13,13 +13,11 @@ double percent(double log_ratio) { return 100 * std::expm1(log_ratio); }
 }  // namespace
 
 std::string to_string(const ScaleFault& fault) {
-  const std::string frames =
-      fault.first_frame == fault.last_frame
-          ? formatted("at frame %d", fault.first_frame)
-          : formatted("in frames %d to %d", fault.first_frame, fault.last_frame);
+  const std::string frames = fault.first_frame == fault.last_frame
+                                 ? formatted("at frame %d", fault.first_frame)
+                                 : formatted("in frames %d to %d", fault.first_frame, fault.last_frame);
   if (fault.displacement > 0)
-    return fault.source + ": positions displaced by " +
-           formatted("%.1f m ", fault.displacement) + frames;
+    return fault.source + ": positions displaced by " + formatted("%.1f m ", fault.displacement) + frames;
   if (fault.log_excess_sigma > 0)
     return fault.source + ": lengths contradict the rest by " +
            formatted("%+.0f +- %.0f %% ", percent(fault.log_excess), 100 * fault.log_excess_sigma) + frames +

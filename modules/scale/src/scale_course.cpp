@@ -119,11 +119,11 @@ class CourseGraph {
   std::vector<Knot> knots_;
   std::vector<double> intervals_;  // by path, units
   std::vector<IntervalMeasurement> measurements_;
-  std::vector<size_t> knot_of_;             // by measurement
-  std::vector<Constraint> measured_;        // by measurement
+  std::vector<size_t> knot_of_;                   // by measurement
+  std::vector<Constraint> measured_;              // by measurement
   std::vector<std::optional<Constraint>> links_;  // of each knot to the one before
-  std::map<int, size_t> measurement_of_;    // by constraint
-  std::map<int, size_t> source_of_;         // by constraint of what its measurements have in common
+  std::map<int, size_t> measurement_of_;          // by constraint
+  std::map<int, size_t> source_of_;               // by constraint of what its measurements have in common
 };
 
 // The whole path if no scale is known or it is shorter.
@@ -201,7 +201,8 @@ std::vector<std::optional<Constraint>> CourseGraph::links() const {
 
 // Logarithms of what was measured near a knot.
 std::vector<double> CourseGraph::candidates(size_t knot) const {
-  const auto first = std::lower_bound(knot_of_.begin(), knot_of_.end(), knot - std::min(knot, kCandidateKnots));
+  const auto first =
+      std::lower_bound(knot_of_.begin(), knot_of_.end(), knot - std::min(knot, kCandidateKnots));
   const auto last = std::upper_bound(first, knot_of_.end(), knot + kCandidateKnots);
   std::vector<double> logs;
   for (auto at = first; at != last; ++at)
@@ -241,8 +242,7 @@ std::vector<double> CourseGraph::guess() const {
 
 void CourseGraph::fix_modes(const std::vector<double>& guess) {
   for (size_t i = 0; i < measured_.size(); ++i)
-    measured_[i] =
-        in_better_mode(std::log(guess[knot_of_[i]] / measured_[i].T_from_to.scale), measured_[i]);
+    measured_[i] = in_better_mode(std::log(guess[knot_of_[i]] / measured_[i].T_from_to.scale), measured_[i]);
   for (size_t k = 1; k < links_.size(); ++k)
     if (links_[k]) links_[k] = in_better_mode(std::log(guess[k] / guess[k - 1]), *links_[k]);
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "best_stretch.h"
+#include "changed_interval.h"
 
 namespace edgevo {
 namespace {
@@ -69,9 +69,9 @@ Steps steps_of(const SourceSamples& samples, const MeasuredPath& path,
     });
     const Eigen::Vector3d step = b.T_world_cam.translation() - a.T_world_cam.translation();
     const double metres = factor_at(scales, *path.path, b.distance) * step.norm();
-    const double along = step.norm() > 0 ? ((*nearest)->fit.R_sensor_world * step.normalized())
-                                               .dot(b.position - a.position)
-                                         : 0;
+    const double along =
+        step.norm() > 0 ? ((*nearest)->fit.R_sensor_world * step.normalized()).dot(b.position - a.position)
+                        : 0;
     steps.excess.emplace_back(along - metres, 0, 0);
     steps.along.push_back(along), steps.metres.push_back(metres);
     steps.first_frame.push_back(a.frame_index), steps.last_frame.push_back(b.frame_index);
@@ -83,7 +83,7 @@ Steps steps_of(const SourceSamples& samples, const MeasuredPath& path,
 // intervals are too long or too short by is there.
 void narrow_down(const Steps& steps, ScaleFault* fault) {
   if (steps.excess.empty()) return;
-  const Stretch worst = best_stretch(steps.excess);
+  const IndexInterval worst = changed_interval(steps.excess);
   if (!stands_out(worst, steps.excess)) return;
   double along = 0, metres = 0, all = 0;
   for (size_t i = worst.begin; i < worst.end; ++i) along += steps.along[i], metres += steps.metres[i];

@@ -22,7 +22,6 @@ struct SourceSamples {
   std::vector<HeightSample> heights;
 };
 
-
 /// The scale over one interval.
 struct IntervalFit {
   ScaleEstimate scale;

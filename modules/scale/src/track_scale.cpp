@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "best_stretch.h"
+#include "changed_interval.h"
 
 namespace edgevo {
 namespace {
@@ -18,9 +18,9 @@ constexpr double kJumpProbability = 0.05;
 // Of a step of the camera between two positions, relative: KITTI's are wrong by up to a tenth where a map is
 // young or the view turns. Three of it are no jump of the sensor.
 constexpr double kStepSigma = 0.1, kStepSigmas = 3;
-constexpr double kMotionAxes = 2;   // of the residuals: a vehicle moves in a plane
-constexpr double kOffsetAxes = 3;   // of an offset
-constexpr size_t kLargestSteps = 3;  // of the residuals, between which a stretch may be displaced
+constexpr double kMotionAxes = 2;    // of the residuals: a vehicle moves in a plane
+constexpr double kOffsetAxes = 3;    // of an offset
+constexpr size_t kLargestSteps = 3;  // of the residuals, between which a interval may be displaced
 // No more jumps than one for each so many positions: beyond it no noise is left to compare them with.
 constexpr size_t kMinPairsPerJump = 4;
 
@@ -34,10 +34,10 @@ using Points = std::vector<Eigen::Vector3d>;
 struct Fit {
   double scale = 0;
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  double spread = 0;     // summed squares of the sources about the means of their groups
-  Points offsets;        // of the groups
-  Points residuals;      // of the pairs
-  Points arms;           // R (source - mean of its group)
+  double spread = 0;  // summed squares of the sources about the means of their groups
+  Points offsets;     // of the groups
+  Points residuals;   // of the pairs
+  Points arms;        // R (source - mean of its group)
 };
 
 class Regression {
@@ -116,13 +116,12 @@ double innovations(const Points& residuals) {
   }
   const double rho = squares > 0 ? std::clamp(products / squares, 0.0, 1.0) : 0.0;
   double sum = residuals.front().squaredNorm() * (1 - rho * rho);
-  for (size_t i = 1; i < residuals.size(); ++i)
-    sum += (residuals[i] - rho * residuals[i - 1]).squaredNorm();
+  for (size_t i = 1; i < residuals.size(); ++i) sum += (residuals[i] - rho * residuals[i - 1]).squaredNorm();
   return sum + double(residuals.size()) * kNoLength * kNoLength;
 }
 
-// Stretches between the largest steps of the residuals, and that whose mean differs most.
-std::vector<Stretch> candidates(const Points& residuals) {
+// Intervals between the largest steps of the residuals, and that whose mean differs most.
+std::vector<IndexInterval> candidates(const Points& residuals) {
   std::vector<std::pair<double, size_t>> steps;
   for (size_t i = 1; i < residuals.size(); ++i)
     steps.emplace_back((residuals[i] - residuals[i - 1]).squaredNorm(), i);
@@ -131,11 +130,11 @@ std::vector<Stretch> candidates(const Points& residuals) {
   std::vector<size_t> places{0, residuals.size()};
   for (size_t k = 0; k < kept; ++k) places.push_back(steps[k].second);
   std::sort(places.begin(), places.end());
-  std::vector<Stretch> stretches{best_stretch(residuals)};
+  std::vector<IndexInterval> intervals{changed_interval(residuals)};
   for (size_t a = 0; a < places.size(); ++a)
     for (size_t b = a + 1; b < places.size(); ++b)
-      if (b - a + 1 < places.size()) stretches.push_back({places[a], places[b]});
-  return stretches;
+      if (b - a + 1 < places.size()) intervals.push_back({places[a], places[b]});
+  return intervals;
 }
 
 // What the residuals must become more probable by, in -2 ln.
@@ -143,7 +142,7 @@ double cost_of_jump(double pairs) {
   return 2 * std::log((1 - kJumpProbability) / kJumpProbability) + gain_by_chance(pairs, kOffsetAxes);
 }
 
-// One stretch after another gets an offset of its own, as long as the residuals speak for it.
+// One interval after another gets an offset of its own, as long as the residuals support it.
 struct Grouped {
   std::vector<int> group;
   Fit fit;
@@ -158,7 +157,7 @@ std::optional<Grouped> with_jumps(const Regression& regression) {
     const double before = innovations(best.fit.residuals);
     std::optional<Grouped> better;
     double largest_gain = cost_of_jump(double(n));
-    for (const Stretch& s : candidates(best.fit.residuals)) {
+    for (const IndexInterval& s : candidates(best.fit.residuals)) {
       std::vector<int> group = best.group;
       std::fill(group.begin() + std::ptrdiff_t(s.begin), group.begin() + std::ptrdiff_t(s.end), jump);
       std::optional<Fit> fit = regression.fit(group);
@@ -177,8 +176,8 @@ std::vector<TrackJump> jumps_of(const Grouped& found) {
   std::vector<TrackJump> jumps;
   for (size_t i = 1; i < found.group.size(); ++i)
     if (found.group[i] != found.group[i - 1])
-      jumps.push_back({i, found.fit.offsets[size_t(found.group[i])] -
-                              found.fit.offsets[size_t(found.group[i - 1])]});
+      jumps.push_back(
+          {i, found.fit.offsets[size_t(found.group[i])] - found.fit.offsets[size_t(found.group[i - 1])]});
   return jumps;
 }
 

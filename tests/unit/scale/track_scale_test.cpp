@@ -44,7 +44,8 @@ VehicleTrack track_of(const MadeRun& made, const TrackNoise& noise,
 
 MadeRun in_metres(const GroundDrive& drive, const TrackNoise& noise) {
   MadeRun made = drive_over_ground(drive);
-  const RunScale scale = estimate_run_scale(made.run, kOdometry, of_wheels(track_of(made, noise)), ScaleParams());
+  const RunScale scale =
+      estimate_run_scale(made.run, kOdometry, of_wheels(track_of(made, noise)), ScaleParams());
   EXPECT_EQ(scale.problem, "");
   if (scale.problem.empty()) make_metric(scale, {}, kOdometry, &made.run);
   return made;
@@ -107,7 +108,8 @@ TEST(TrackScale, TracksOfOtherTimesOrWithoutMotionGiveNoScale) {
 
 TEST(TrackScale, LiveScaleFollowsATrack) {
   const MadeRun made = drive_over_ground({});
-  LiveScale live(made.run.pinhole, kOdometry, of_wheels(track_of(made, {0.02, 0, 1})), std::nullopt, ScaleParams());
+  LiveScale live(made.run.pinhole, kOdometry, of_wheels(track_of(made, {0.02, 0, 1})), std::nullopt,
+                 ScaleParams());
   for (const FrameRecord& f : made.run.frames) live.add_frame(f);
   ASSERT_TRUE(live.newest());
   EXPECT_NEAR(live.newest()->factor, 2, 0.04);

@@ -38,7 +38,8 @@ std::string how_it_was_found(const ScaleSource& source) {
 std::string how_it_was_found(const ScaleSources& sources) {
   std::string text;
   for (const ScaleSource& source : sources.list) text += (text.empty() ? "" : " ") + how_it_was_found(source);
-  if (sources.list.size() > 1) text += " Each counts by its uncertainty, and not where it contradicts the rest.";
+  if (sources.list.size() > 1)
+    text += " Each counts by its uncertainty, and not where it contradicts the rest.";
   return text;
 }
 

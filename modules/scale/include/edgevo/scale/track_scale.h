@@ -7,7 +7,7 @@
 // bias the scale: it is the regression of a noisy path on a smooth one. The transform between the two
 // coordinate frames need not be known.
 //
-// Positions that are displaced against the others (a GPS fix, or a stretch of fixes, that jumped) have an
+// Positions that are displaced against the others (a GPS fix, or a run of fixes, that jumped) have an
 // offset of their own, where the residuals become more probable by it than a jump is improbable. Residuals
 // are those of an autoregressive process: white as those of GPS, or a random walk as those of wheels.
 #include <optional>
