@@ -102,13 +102,7 @@ void LiveScale::estimate() {
             [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
   MeasuredPath measured{&path_, {}, std::nullopt};
   for (const ScaleSource& source : sources_.list) {
-    SourceSamples samples;
-    samples.source = source;
-    if (const auto track = source.sensor() ? tracks_.find(*source.sensor()) : tracks_.end();
-        track != tracks_.end()) {
-      samples.pairs = pair_up(path_, track->second);
-      samples.sensor_in_camera = sensor_in_camera(track->second, T_vehicle_cam_);
-    }
+    SourceSamples samples = positions_along(path_, source, tracks_, T_vehicle_cam_);
     if (source.kind == ScaleSource::Kind::kCameraHeight) samples.heights = heights_;
     measured.sources.push_back(std::move(samples));
   }

@@ -18,15 +18,11 @@ namespace {
 
 SourceSamples samples_of(const Run& run, const Path& path, const ScaleSource& source,
                          const VehicleTracks& tracks, const ScaleParams& params) {
-  SourceSamples samples;
-  samples.source = source;
-  if (!source.sensor()) {
+  SourceSamples samples = positions_along(path, source, tracks, run.T_vehicle_cam);
+  if (source.kind == ScaleSource::Kind::kCameraHeight) {
     samples.heights = ground_heights(run, path, params);
     std::stable_sort(samples.heights.begin(), samples.heights.end(),
                      [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
-  } else if (const auto track = tracks.find(*source.sensor()); track != tracks.end()) {
-    samples.pairs = pair_up(path, track->second);
-    samples.sensor_in_camera = sensor_in_camera(track->second, run.T_vehicle_cam);
   }
   return samples;
 }

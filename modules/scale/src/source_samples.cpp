@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/scale/live_scale.h"
+
 namespace edgevo {
 namespace {
 
@@ -42,6 +44,17 @@ ScaleParams own_params(const ScaleParams& params) {
 }
 
 }  // namespace
+
+SourceSamples positions_along(const Path& path, const ScaleSource& source, const VehicleTracks& tracks,
+                              const std::optional<SE3>& T_vehicle_cam) {
+  SourceSamples samples;
+  samples.source = source;
+  const auto track = source.sensor() ? tracks.find(*source.sensor()) : tracks.end();
+  if (track == tracks.end()) return samples;
+  samples.pairs = pair_up(path, track->second);
+  samples.sensor_in_camera = sensor_in_camera(track->second, T_vehicle_cam);
+  return samples;
+}
 
 std::optional<IntervalFit> fit_interval(const SourceSamples& samples, double begin, double end,
                                         const ScaleParams& params) {

@@ -22,6 +22,11 @@ struct SourceSamples {
   std::vector<HeightSample> heights;
 };
 
+/// Those of a source whose sensor has a track; without any for other sources. `T_vehicle_cam`: mount of the
+/// camera, if known.
+SourceSamples positions_along(const Path& path, const ScaleSource& source, const VehicleTracks& tracks,
+                              const std::optional<SE3>& T_vehicle_cam);
+
 /// The scale over one interval.
 struct IntervalFit {
   ScaleEstimate scale;
