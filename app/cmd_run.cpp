@@ -115,8 +115,9 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
       ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   command->add_option(
       "--scale", args->run.scale,
-      "source of metric scale: none (arbitrary unit), factor=METRES_PER_UNIT, odometry, gps or "
-      "robot_pose (from the rawlog), camera_height=METRES (above the ground)");
+      "source of metric scale: none (arbitrary unit), factor=METRES_PER_UNIT, or one or several, separated "
+      "by "
+      "commas, of odometry, gps, robot_pose (from the rawlog) and camera_height=METRES (above the ground)");
   CLI::Option* realtime =
       command->add_flag("--realtime", args->run.realtime,
                         "run tracking and mapping in two threads and measure latencies; not bit-identical");

@@ -29,6 +29,12 @@ within "odometry with 2 % of noise" odometry 1
 within "robot_pose" robot_pose 0.5
 within "gps with 0.5 m of noise" gps 5
 
+run_code 0 "$edgevo" run sensors.rawlog -o several --scale odometry,gps,camera_height=1.65 --quiet
+within "three sources" several 1
+check "no source is named" "$(grep -c '^scale_faults' several/summary.yaml)" -eq 0
+check "all sources in the report" \
+  "$(grep -o -e 'compared with the odometry' -e 'compared with GPS' -e 'm above the ground' several/report.html | sort -u | wc -l)" -eq 3
+
 check "metric: true" "$(value height scale metric | grep -c true)" -eq 1
 check "an uncertainty in summary.yaml" "$(value height scale relative_standard_deviation | grep -c '^0\.0[0-9]*[1-9]')" -eq 1
 check "rows of scale.csv" "$(awk 'END { print NR - 1 }' height/scale.csv)" -eq "$(wc -l <"$sequence/times.txt")"
@@ -52,6 +58,8 @@ check "gray values of the grid: occupied, unknown, free" "$(tail -c +200 coarse/
 
 # Invalid and missing sources of scale.
 complains "did you mean odometry" "$edgevo" run "$sequence" -o out --scale odometer
+complains "goes with no other source" "$edgevo" run "$sequence" -o out --scale gps,factor=2
+complains "names a source twice: gps" "$edgevo" run "$sequence" -o out --scale gps,gps
 complains "takes no value" "$edgevo" run "$sequence" -o out --scale gps=1
 complains "camera_height=1.65" "$edgevo" run "$sequence" -o out --scale camera_height
 complains "not a positive number" "$edgevo" run "$sequence" -o out --scale camera_height=-2

@@ -22,8 +22,9 @@ edgevo::Run metric_run(const std::string& scene, int frames) {
     track.positions.push_back(
         {renderer->scene().times[i],
          renderer->scene().T_scene_cam[i].translation() - renderer->scene().T_scene_cam[0].translation()});
-  const ScaleSource requested = parse_scale_source("robot_pose");
-  const RunScale scale = estimate_run_scale(run, requested, track, ScaleParams());
+  const ScaleSources requested = parse_scale_sources("robot_pose");
+  const RunScale scale =
+      estimate_run_scale(run, requested, {{VehicleSensor::kRobotPose, track}}, ScaleParams());
   EXPECT_EQ(scale.problem, "");
   if (scale.problem.empty()) make_metric(scale, {}, requested, &run);
   return run;

@@ -58,7 +58,7 @@ TEST(RealMetres, KittiFromTheHeightOfTheCamera) {
   if (!std::filesystem::is_directory(options.path))
     GTEST_SKIP() << "NOT TESTED: there is no " << options.path << "; configure with -DEDGEVO_DATA_DIR=DIR";
   edgevo::Run run = run_source(*open_source(options));
-  const ScaleSource requested = parse_scale_source("camera_height=1.65");
+  const ScaleSources requested = parse_scale_sources("camera_height=1.65");
   const RunScale scale = estimate_run_scale(run, requested, {}, ScaleParams());
   ASSERT_EQ(scale.problem, "");
   make_metric(scale, {}, requested, &run);

@@ -58,8 +58,8 @@ Run in_metres(Run run, const Scene& scene) {
   VehicleTrack track;
   for (size_t i = 0; i < run.frames.size(); ++i)
     track.positions.push_back({scene.times[i], scene.T_scene_cam[i].translation()});
-  const ScaleSource source = parse_scale_source("robot_pose");
-  const RunScale scale = estimate_run_scale(run, source, track, ScaleParams());
+  const ScaleSources source = parse_scale_sources("robot_pose");
+  const RunScale scale = estimate_run_scale(run, source, {{VehicleSensor::kRobotPose, track}}, ScaleParams());
   if (!scale.problem.empty()) throw InputError("scale", scale.problem, "drive further");
   make_metric(scale, {}, source, &run);
   return run;

@@ -52,8 +52,10 @@ class StreetRun : public ::testing::Test {
 
   static edgevo::Run in_metres(const std::string& source, const VehicleTrack& track) {
     edgevo::Run run = *run_;
-    const ScaleSource requested = parse_scale_source(source);
-    const RunScale scale = estimate_run_scale(run, requested, track, ScaleParams());
+    const ScaleSources requested = parse_scale_sources(source);
+    VehicleTracks tracks;
+    if (const auto sensor = requested.list.front().sensor()) tracks[*sensor] = track;
+    const RunScale scale = estimate_run_scale(run, requested, tracks, ScaleParams());
     EXPECT_EQ(scale.problem, "");
     if (scale.problem.empty()) make_metric(scale, {}, requested, &run);
     return run;

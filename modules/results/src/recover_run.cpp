@@ -53,7 +53,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   const RunParams params = params_of(header.info, options.resolution);
   const Rectification rectification = rectification_of(header.info.camera, header.info.working_pinhole);
   RunBuilder builder(rectification);
-  RunScaling scaling(parse_scale_source(header.scale), header.track, rectification.target(),
+  RunScaling scaling(parse_scale_sources(header.scale), header.tracks, rectification.target(),
                      header.T_vehicle_cam, params.scale);
   while (const std::optional<MapEvent> event = log.next()) {
     builder.apply(*event);

@@ -116,11 +116,20 @@ void visit_track(Visit& v, Track& track) {
   visit_numbers(v, track.sensor_on_vehicle);
 }
 
+void visit_tracks(Writing& v, const VehicleTracks& tracks) {
+  v.plain(uint32_t(tracks.size()));
+  for (const auto& [sensor, track] : tracks) v.plain(sensor), visit_track(v, track);
+}
+void visit_tracks(Reading& v, VehicleTracks& tracks) {
+  for (auto left = v.in->value<uint32_t>(); left > 0 && v.in->ok(); --left)
+    visit_track(v, tracks[v.in->value<VehicleSensor>()]);
+}
+
 template <class Visit, class Header>
 void visit_header(Visit& v, Header& header) {
   visit_info(v, header.info);
   v.text(header.scale);
-  visit_track(v, header.track);
+  visit_tracks(v, header.tracks);
   visit_pose(v, header.T_vehicle_cam);
 }
 

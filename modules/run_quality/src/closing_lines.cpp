@@ -7,6 +7,7 @@
 #include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/run_warnings.h"
+#include "edgevo/run_quality/scale_faults.h"
 
 namespace edgevo {
 
@@ -46,6 +47,7 @@ std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, b
                    run.scale_source});
   add_doubtful(run, &lines);
   add_mistaken(run, &lines);
+  for (const std::string& fault : scale_faults_in_words(run)) lines.push_back({"scale: " + fault, true});
   if (n.doubtful_keyframes > 0 && !include_doubtful)
     lines.push_back(
         {formatted("%d keyframes were made in doubt: the maps are without their points "

@@ -52,7 +52,7 @@ class RunSession {
   RunRequest request_;
   const RunHost& host_;
   TraceFile trace_;
-  const ScaleSource scale_;
+  const ScaleSources scale_;
   std::optional<AutoCamera> found_camera_;
   std::unique_ptr<ImageSource> source_;
   OdometryOptions odometry_;
@@ -70,7 +70,7 @@ class RunSession {
 };
 
 RunSession::RunSession(const RunRequest& request, const RunHost& host)
-    : request_(request), host_(host), trace_(request.trace), scale_(parse_scale_source(request.scale)) {
+    : request_(request), host_(host), trace_(request.trace), scale_(parse_scale_sources(request.scale)) {
   check_apart(request_.source.path, request_.out);
   host_.listen_to_signals();
   find_camera();
@@ -116,7 +116,7 @@ void RunSession::open_outputs() {
   OutputOptions options = request_.outputs;
   options.own_thread = request_.realtime;
   outputs_.emplace(request_.out, source_->camera(), request_.params.map, options);
-  outputs_->keep_recovery_log({info_, request_.scale, scaling_->track(), source_->T_vehicle_cam()},
+  outputs_->keep_recovery_log({info_, request_.scale, scaling_->tracks(), source_->T_vehicle_cam()},
                               odometry_.map_log);
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "scale_course.h"
+
 namespace edgevo {
 namespace {
 
@@ -17,11 +19,11 @@ Eigen::Vector3d sensor_in_camera(const VehicleTrack& track, const std::optional<
   return T_vehicle_cam->inverse() * track.sensor_on_vehicle;
 }
 
-LiveScale::LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
+LiveScale::LiveScale(const Pinhole& pinhole, const ScaleSources& sources, VehicleTracks tracks,
                      std::optional<SE3> T_vehicle_cam, const ScaleParams& params)
     : pinhole_(pinhole),
-      source_(source),
-      track_(std::move(track)),
+      sources_(sources),
+      tracks_(std::move(tracks)),
       T_vehicle_cam_(std::move(T_vehicle_cam)),
       params_(params) {}
 
@@ -40,32 +42,32 @@ void LiveScale::add_frame(const FrameRecord& frame) {
 void LiveScale::extend_path(const FrameRecord& frame) {
   if (frame.segment != segment_) begin_segment(frame.segment);
   extend(frame.index, frame.time, *frame.T_world_cam_live, &path_);
-  if (source_.sensor() && ++frames_since_fit_ >= kFramesBetweenFits) estimate_from_track();
+  if (!tracks_.empty() && ++frames_since_fit_ >= kFramesBetweenFits) estimate();
   forget_what_lies_behind();
 }
 
 void LiveScale::add_keyframe(int id, const KeyframeRecord& keyframe) {
-  if (source_.kind != ScaleSource::Kind::kCameraHeight || keyframe.segment != segment_) return;
+  if (!sources_.camera_height() || keyframe.segment != segment_) return;
   for (HeightSample& height :
        ground_heights(pinhole_, keyframe, down_in_camera(T_vehicle_cam_), path_, false, params_)) {
     height.keyframe_id = id;
     heights_.push_back(height);
   }
-  estimate_from_ground();
+  estimate();
 }
 
 void LiveScale::apply(const MapMoved& moved) {
   if (moved.segment != segment_) return;
   for (HeightSample& height : heights_)
     if (const KeyframeMove* move = moved.find(height.keyframe_id)) height.height *= move->scale_ratio;
-  estimate_from_ground();
+  estimate();
 }
 
 void LiveScale::rescale(int segment, int first_keyframe, double ratio) {
   if (segment != segment_) return;
   for (HeightSample& height : heights_)
     if (height.keyframe_id >= first_keyframe) height.height *= ratio;
-  estimate_from_ground();
+  estimate();
 }
 
 // The scale of a new segment equals that of the old one only if the speed was kept: a guess, used until there
@@ -93,23 +95,19 @@ void LiveScale::forget_what_lies_behind() {
                  heights_.end());
 }
 
-void LiveScale::estimate_from_track() {
+void LiveScale::estimate() {
   frames_since_fit_ = 0;
-  std::vector<TrackPair> pairs = pair_up(path_, track_);
-  const double begin = path_.back().distance - interval_units();
-  pairs.erase(pairs.begin(), std::find_if(pairs.begin(), pairs.end(),
-                                          [&](const TrackPair& p) { return p.distance >= begin; }));
-  if (const auto fit = fit_track(pairs, sensor_in_camera(track_, T_vehicle_cam_), params_)) newest_ = fit;
-}
-
-void LiveScale::estimate_from_ground() {
-  if (heights_.empty()) return;
+  if (path_.empty()) return;
   std::sort(heights_.begin(), heights_.end(),
             [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
-  const double begin = heights_.back().distance - interval_units();
-  const auto first = std::find_if(heights_.begin(), heights_.end(),
-                                  [&](const HeightSample& h) { return h.distance >= begin; });
-  if (const auto fit = fit_height({first, heights_.end()}, source_.value, params_)) newest_ = fit;
+  MeasuredPath measured{&path_, {}, std::nullopt};
+  for (const ScaleSource& source : sources_.list) {
+    SourceSamples samples = positions_along(path_, source, tracks_, T_vehicle_cam_);
+    if (source.kind == ScaleSource::Kind::kCameraHeight) samples.heights = heights_;
+    measured.sources.push_back(std::move(samples));
+  }
+  const ScaleCourse course = solve_scale_course({measured}, params_, CourseModes::kOfGuess);
+  if (!course.of_path.empty()) newest_ = course.of_path.front().back();
 }
 
 }  // namespace edgevo

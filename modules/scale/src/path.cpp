@@ -32,7 +32,7 @@ std::vector<UnitPath> paths_by_unit(const Run& run, const std::vector<int>& begi
     extend(frame.index, frame.time, *frame.T_world_cam, &paths[{frame.segment, int(unit)}]);
   }
   std::vector<UnitPath> by_unit;
-  for (auto& [key, path] : paths) by_unit.push_back({key.second, std::move(path)});
+  for (auto& [key, path] : paths) by_unit.push_back({key.second, key.first, std::move(path)});
   return by_unit;
 }
 

@@ -10,38 +10,42 @@
 #include "edgevo/scale/path.h"
 #include "edgevo/scale/track_scale.h"
 #include "rescale.h"
-#include "sliding_scale.h"
+#include "scale_course.h"
+#include "scale_faults.h"
 
 namespace edgevo {
 namespace {
 
-// The samples within an interval, from a list sorted by travelled distance.
-template <class Sample>
-std::vector<Sample> in_interval(const std::vector<Sample>& sorted, double begin, double end) {
-  const auto first = std::lower_bound(sorted.begin(), sorted.end(), begin,
-                                      [](const Sample& s, double w) { return s.distance < w; });
-  const auto last =
-      std::upper_bound(first, sorted.end(), end, [](double w, const Sample& s) { return w < s.distance; });
-  return {first, last};
+SourceSamples samples_of(const Run& run, const Path& path, const ScaleSource& source,
+                         const VehicleTracks& tracks, const ScaleParams& params) {
+  SourceSamples samples = positions_along(path, source, tracks, run.T_vehicle_cam);
+  if (source.kind == ScaleSource::Kind::kCameraHeight) {
+    samples.heights = ground_heights(run, path, params);
+    std::stable_sort(samples.heights.begin(), samples.heights.end(),
+                     [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
+  }
+  return samples;
 }
 
-std::vector<ScaleEstimate> slide_over_ground(const Run& run, const Path& path, const ScaleSource& source,
-                                             const ScaleParams& params) {
-  std::vector<HeightSample> heights = ground_heights(run, path, params);
-  std::stable_sort(heights.begin(), heights.end(),
-                   [](const HeightSample& a, const HeightSample& b) { return a.distance < b.distance; });
-  return slide(path, params.interval, [&](double begin, double end) {
-    return fit_height(in_interval(heights, begin, end), source.value, params);
-  });
+// Paths of one unit are linked, those of two segments as well as these are.
+std::optional<double> link_sigma(const Run& run, const UnitPath& before, const UnitPath& after) {
+  if (after.unit != before.unit || size_t(after.segment) >= run.segments.size()) return std::nullopt;
+  const double sigma = run.segments[size_t(after.segment)].scale_sigma;
+  return std::isfinite(sigma) ? std::make_optional(sigma) : std::nullopt;
 }
 
-std::vector<ScaleEstimate> slide_over_track(const Run& run, const Path& path, const VehicleTrack& track,
-                                            const ScaleParams& params) {
-  const std::vector<TrackPair> pairs = pair_up(path, track);
-  const Eigen::Vector3d sensor = sensor_in_camera(track, run.T_vehicle_cam);
-  return slide(path, params.interval, [&](double begin, double end) {
-    return fit_track(in_interval(pairs, begin, end), sensor, params);
-  });
+std::vector<MeasuredPath> measured_paths(const Run& run, const std::vector<UnitPath>& paths,
+                                         const ScaleSources& sources, const VehicleTracks& tracks,
+                                         const ScaleParams& params) {
+  std::vector<MeasuredPath> measured;
+  for (size_t i = 0; i < paths.size(); ++i) {
+    MeasuredPath path{&paths[i].path, {}, std::nullopt};
+    for (const ScaleSource& source : sources.list)
+      path.sources.push_back(samples_of(run, paths[i].path, source, tracks, params));
+    if (i > 0) path.link_sigma = link_sigma(run, paths[i - 1], paths[i]);
+    measured.push_back(std::move(path));
+  }
+  return measured;
 }
 
 std::string problem_of(const ScaleSource& source) {
@@ -51,16 +55,23 @@ std::string problem_of(const ScaleSource& source) {
          "give another --scale";
 }
 
-// Frames without an estimate take that of the nearest frame before them, else after.
-void carry_over(std::vector<ScaleEstimate>* of_frame) {
-  const auto known = [](const ScaleEstimate& e) { return e.samples > 0; };
-  const auto first = std::find_if(of_frame->begin(), of_frame->end(), known);
-  ScaleEstimate last = *first;
-  for (ScaleEstimate& e : *of_frame) {
-    if (known(e))
-      last = e;
+std::string problem_of(const ScaleSources& sources) {
+  std::string problem;
+  for (const ScaleSource& source : sources.list)
+    problem += (problem.empty() ? "" : "; ") + (sources.list.size() > 1 ? source.text + ": " : "") +
+               problem_of(source);
+  return problem;
+}
+
+// Frames without a pose take that of the nearest frame before them, else after.
+void fill_gaps(std::vector<ScaleEstimate>* of_frame, const std::vector<bool>& has_pose) {
+  const auto first = std::find(has_pose.begin(), has_pose.end(), true) - has_pose.begin();
+  ScaleEstimate last = (*of_frame)[size_t(first)];
+  for (size_t i = 0; i < of_frame->size(); ++i) {
+    if (has_pose[i])
+      last = (*of_frame)[i];
     else
-      e = {last.factor, last.sigma, 0};
+      (*of_frame)[i] = {last.factor, last.sigma, 0};
   }
 }
 
@@ -81,6 +92,7 @@ std::vector<double> live_factors(const std::vector<std::optional<ScaleEstimate>>
 ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live,
                       const Run& run) {
   ScaleRecord record;
+  record.faults = scale.faults;
   std::vector<double> factors, sigmas;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const ScaleEstimate& e = scale.of_frame[i];
@@ -101,33 +113,34 @@ ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<Sca
 
 }  // namespace
 
-RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const VehicleTrack& track,
+RunScale estimate_run_scale(const Run& run, const ScaleSources& sources, const VehicleTracks& tracks,
                             const ScaleParams& params) {
   RunScale result;
-  std::vector<ScaleEstimate> of_frame(run.frames.size(), ScaleEstimate{1, 0, 0});
-  std::map<int, size_t> place;
-  for (size_t i = 0; i < run.frames.size(); ++i) place[run.frames[i].index] = i;
-  bool any = false;
-  for (const UnitPath& of_unit : paths_by_unit(run)) {
-    const Path& path = of_unit.path;
-    const std::vector<ScaleEstimate> scales = source.sensor() ? slide_over_track(run, path, track, params)
-                                                              : slide_over_ground(run, path, source, params);
-    for (size_t i = 0; i < scales.size(); ++i) of_frame[place.at(path[i].frame_index)] = scales[i];
-    any |= !scales.empty();
-  }
-  if (!any) {
-    result.problem = problem_of(source);
+  const std::vector<UnitPath> paths = paths_by_unit(run);
+  const std::vector<MeasuredPath> measured = measured_paths(run, paths, sources, tracks, params);
+  const ScaleCourse course = solve_scale_course(measured, params);
+  if (course.of_path.empty()) {
+    result.problem = problem_of(sources);
     return result;
   }
-  carry_over(&of_frame);
-  result.of_frame = std::move(of_frame);
+  std::map<int, size_t> place;
+  for (size_t i = 0; i < run.frames.size(); ++i) place[run.frames[i].index] = i;
+  result.of_frame.assign(run.frames.size(), ScaleEstimate{1, 0, 0});
+  std::vector<bool> has_pose(run.frames.size(), false);
+  for (size_t p = 0; p < paths.size(); ++p)
+    for (size_t i = 0; i < paths[p].path.size(); ++i) {
+      const size_t at = place.at(paths[p].path[i].frame_index);
+      result.of_frame[at] = course.of_path[p][i], has_pose[at] = true;
+    }
+  fill_gaps(&result.of_frame, has_pose);
+  result.faults = scale_faults(measured, course);
   return result;
 }
 
 void make_metric(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live,
-                 const ScaleSource& source, Run* run) {
+                 const ScaleSources& sources, Run* run) {
   run->scale = record_of(scale, live, *run);
-  run->scale_source = source.text;
+  run->scale_source = sources.text;
   std::vector<double> factors;
   for (const ScaleEstimate& e : scale.of_frame) factors.push_back(e.factor);
   rescale_final(factors, run);

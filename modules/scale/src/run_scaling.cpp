@@ -42,19 +42,26 @@ size_t positions_during_images(const VehicleTrack& track, const std::vector<Time
   return count;
 }
 
-VehicleTrack track_for(const ScaleSource& requested, const ImageSource& source) {
-  if (!requested.sensor()) return {};
-  VehicleTrack track = source.vehicle_track(*requested.sensor());
-  const std::string where = "--scale " + requested.text, what = sensor_data_name(*requested.sensor());
+VehicleTrack track_for(const ScaleSources& requested, VehicleSensor sensor, const ImageSource& source) {
+  VehicleTrack track = source.vehicle_track(sensor);
+  const std::string where = "--scale " + requested.text, what = sensor_data_name(sensor);
   if (track.positions.empty())
     throw InputError(where, "this source (" + source.kind() + ") recorded no " + what,
                      "give a rawlog that holds it, or another --scale");
-  if (positions_during_images(track, source.times()) < kMinTrackPairs)
+  // One of several is named at the end.
+  if (requested.list.size() == 1 && positions_during_images(track, source.times()) < kMinTrackPairs)
     throw InputError(where,
                      "fewer than " + std::to_string(kMinTrackPairs) + " of the source's " + what +
                          " were taken while its images were",
                      "compare the times, see edgevo info");
   return track;
+}
+
+VehicleTracks tracks_for(const ScaleSources& requested, const ImageSource& source) {
+  VehicleTracks tracks;
+  for (const ScaleSource& one : requested.list)
+    if (const auto sensor = one.sensor()) tracks[*sensor] = track_for(requested, *sensor, source);
+  return tracks;
 }
 
 // Of the segment in use.
@@ -67,16 +74,16 @@ const EpochPlace& newest_epoch(const EpochsPlaced& placed) {
 
 }  // namespace
 
-RunScaling::RunScaling(const ScaleSource& requested, const ImageSource& source, const Pinhole& pinhole,
+RunScaling::RunScaling(const ScaleSources& requested, const ImageSource& source, const Pinhole& pinhole,
                        const ScaleParams& params)
-    : RunScaling(requested, track_for(requested, source), pinhole, source.T_vehicle_cam(), params) {}
+    : RunScaling(requested, tracks_for(requested, source), pinhole, source.T_vehicle_cam(), params) {}
 
-RunScaling::RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
+RunScaling::RunScaling(const ScaleSources& requested, VehicleTracks tracks, const Pinhole& pinhole,
                        const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params)
     : requested_(requested),
       params_(params),
-      track_(std::move(track)),
-      live_(pinhole, requested, track_, T_vehicle_cam, params) {}
+      tracks_(std::move(tracks)),
+      live_(pinhole, requested, tracks_, T_vehicle_cam, params) {}
 
 void RunScaling::apply(const MapEvent& event) {
   if (!requested_.is_estimated()) return;
@@ -118,9 +125,10 @@ void RunScaling::add_waiting() {
 }
 
 void RunScaling::convert(Run* run) const {
-  if (requested_.kind == ScaleSource::Kind::kFactor) scale_run(requested_.value, requested_.text, run);
+  if (const ScaleSource& only = requested_.list.front(); only.kind == ScaleSource::Kind::kFactor)
+    scale_run(only.value, only.text, run);
   if (!requested_.is_estimated()) return;
-  const RunScale scale = estimate_run_scale(*run, requested_, track_, params_);
+  const RunScale scale = estimate_run_scale(*run, requested_, tracks_, params_);
   if (scale.of_frame.empty())
     run->scale.problem = "--scale " + requested_.text + ": " + scale.problem;
   else

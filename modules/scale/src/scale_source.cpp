@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/scale_source.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "edgevo/core/error.h"
@@ -37,7 +39,7 @@ std::string all_sources() {
     const char* const before = list.empty() ? "" : &k == &kKnown.back() ? " or " : ", ";
     list += before + std::string(k.name) + (k.value[0] ? "=" : "") + k.value;
   }
-  return list;
+  return list + "; or several that are measured, such as odometry,gps";
 }
 
 const Known& known_source(const std::string& option, const std::string& name) {
@@ -66,6 +68,30 @@ double positive(const std::string& option, const std::string& text, const Known&
   return value;
 }
 
+ScaleSource one_source(const std::string& option, const std::string& text) {
+  const size_t equals = text.find('=');
+  const Known& known = known_source(option, text.substr(0, equals));
+  const bool takes_value = known.value[0] != '\0', has_value = equals != std::string::npos;
+  if (has_value && !takes_value)
+    throw InputError("--scale " + option, std::string(known.name) + " takes no value",
+                     std::string("give --scale ") + known.name);
+  if (!has_value && takes_value)
+    throw InputError("--scale " + option, "a number is missing",
+                     std::string("give for example ") + known.example);
+  return {known.kind, takes_value ? positive(option, text.substr(equals + 1), known) : 0.0, text};
+}
+
+void check_together(const ScaleSources& sources) {
+  std::set<Kind> kinds;
+  for (const ScaleSource& source : sources.list) {
+    if (sources.list.size() > 1 && !source.is_estimated())
+      throw InputError("--scale " + sources.text, source.text + " goes with no other source",
+                       "give it alone, or leave it out");
+    if (!kinds.insert(source.kind).second)
+      throw InputError("--scale " + sources.text, "names a source twice: " + source.text, "give each once");
+  }
+}
+
 }  // namespace
 
 std::optional<VehicleSensor> ScaleSource::sensor() const {
@@ -74,17 +100,23 @@ std::optional<VehicleSensor> ScaleSource::sensor() const {
   return std::nullopt;
 }
 
-ScaleSource parse_scale_source(const std::string& option) {
-  const size_t equals = option.find('=');
-  const Known& known = known_source(option, option.substr(0, equals));
-  const bool takes_value = known.value[0] != '\0', has_value = equals != std::string::npos;
-  if (has_value && !takes_value)
-    throw InputError("--scale " + option, std::string(known.name) + " takes no value",
-                     std::string("give --scale ") + known.name);
-  if (!has_value && takes_value)
-    throw InputError("--scale " + option, "a number is missing",
-                     std::string("give for example ") + known.example);
-  return {known.kind, takes_value ? positive(option, option.substr(equals + 1), known) : 0.0, option};
+std::optional<double> ScaleSources::camera_height() const {
+  for (const ScaleSource& source : list)
+    if (source.kind == Kind::kCameraHeight) return source.value;
+  return std::nullopt;
+}
+
+ScaleSources parse_scale_sources(const std::string& option) {
+  ScaleSources sources;
+  sources.text = option;
+  sources.list.clear();
+  for (size_t begin = 0; begin <= option.size();) {
+    const size_t end = std::min(option.find(',', begin), option.size());
+    sources.list.push_back(one_source(option, option.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  check_together(sources);
+  return sources;
 }
 
 }  // namespace edgevo

@@ -107,12 +107,13 @@ TEST_F(FileFormats, KeysOfTheSummary) {
   run.realtime = RealtimeRecord();
   run.scale_source = "factor=2";
   run.scale.problem = "none";
+  run.scale.faults.emplace_back();
   run.camera.sigma = run.camera.shutter.sigma = 0.1;
   for (FrameRecord& frame : run.frames) frame.latency_ms = 1;
   write(folder_, run, made_.camera);
   const std::vector<std::string> keys = summary_keys(content(folder_ / "summary.yaml"));
-  EXPECT_THAT(keys,
-              ::testing::IsSupersetOf({"libraries", "problem", "readout_estimate", "stages_ms", "p99"}));
+  EXPECT_THAT(keys, ::testing::IsSupersetOf(
+                        {"libraries", "problem", "scale_faults", "readout_estimate", "stages_ms", "p99"}));
   expect_named(keys, "summary.yaml");
 }
 

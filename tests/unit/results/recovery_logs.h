@@ -25,7 +25,7 @@ class RecoveryLogs : public WrittenRun {
     h.info.camera = made_.camera;
     h.info.notes = {{"seed", "3"}};
     h.scale = "odometry";
-    h.track.positions = {{Timestamp{5}, {1, 2, 3}}, {Timestamp{7}, {4, 5, 6}}};
+    h.tracks[VehicleSensor::kGps].positions = {{Timestamp{5}, {1, 2, 3}}, {Timestamp{7}, {4, 5, 6}}};
     h.T_vehicle_cam = SE3(Eigen::Quaterniond::Identity(), {0, 0, 1.5});
     return h;
   }

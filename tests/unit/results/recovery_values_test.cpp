@@ -21,8 +21,8 @@ TEST_F(RecoveryLogs, RestoresTheHeader) {
   EXPECT_EQ(back.info.camera.pinhole().fx, made_.camera.pinhole().fx);
   EXPECT_EQ(back.info.camera.distortion().k1, made_.camera.distortion().k1);
   EXPECT_EQ(back.scale, "odometry");
-  ASSERT_EQ(back.track.positions.size(), 2u);
-  EXPECT_EQ(back.track.positions[1].position, Eigen::Vector3d(4, 5, 6));
+  ASSERT_EQ(back.tracks.at(VehicleSensor::kGps).positions.size(), 2u);
+  EXPECT_EQ(back.tracks.at(VehicleSensor::kGps).positions[1].position, Eigen::Vector3d(4, 5, 6));
   EXPECT_EQ(back.T_vehicle_cam->translation().z(), 1.5);
 }
 

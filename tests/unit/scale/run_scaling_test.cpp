@@ -44,7 +44,7 @@ class ScalingOfADrive : public ::testing::Test {
   std::unique_ptr<RunScaling> new_scaling() const {
     const ScaleSource height{ScaleSource::Kind::kCameraHeight, 1.65, "camera_height=1.65"};
     auto scaling =
-        std::make_unique<RunScaling>(height, VehicleTrack(), made_.run.pinhole, std::nullopt, ScaleParams());
+        std::make_unique<RunScaling>(height, VehicleTracks(), made_.run.pinhole, std::nullopt, ScaleParams());
     scaling->apply(SegmentPlaced{0, {kWorldPerMap, SE3()}, {}});
     return scaling;
   }

@@ -13,6 +13,8 @@ using test::MadeRun;
 
 const ScaleSource kOdometry{ScaleSource::Kind::kOdometry, 0, "odometry"};
 
+VehicleTracks of_wheels(const VehicleTrack& track) { return {{VehicleSensor::kOdometry, track}}; }
+
 struct TrackNoise {
   /// Noise of each step of an odometer, relative.
   double step = 0;
@@ -42,7 +44,8 @@ VehicleTrack track_of(const MadeRun& made, const TrackNoise& noise,
 
 MadeRun in_metres(const GroundDrive& drive, const TrackNoise& noise) {
   MadeRun made = drive_over_ground(drive);
-  const RunScale scale = estimate_run_scale(made.run, kOdometry, track_of(made, noise), ScaleParams());
+  const RunScale scale =
+      estimate_run_scale(made.run, kOdometry, of_wheels(track_of(made, noise)), ScaleParams());
   EXPECT_EQ(scale.problem, "");
   if (scale.problem.empty()) make_metric(scale, {}, kOdometry, &made.run);
   return made;
@@ -73,7 +76,7 @@ TEST(TrackScale, FixesThatJumpAreRejected) {
   VehicleTrack track = track_of(made, {0, 0.05, 1});
   for (size_t i = 20; i < track.positions.size(); i += 25)
     track.positions[i].position += Eigen::Vector3d(30, -20, 10);
-  const RunScale scale = estimate_run_scale(made.run, kOdometry, track, ScaleParams());
+  const RunScale scale = estimate_run_scale(made.run, kOdometry, of_wheels(track), ScaleParams());
   ASSERT_FALSE(scale.of_frame.empty());
   EXPECT_NEAR(scale.of_frame[150].factor, 2, 0.01);
 }
@@ -85,10 +88,10 @@ TEST(TrackScale, LeverArmOfTheSensorIsCompensated) {
   made.run.T_vehicle_cam = SE3(Eigen::Quaterniond::Identity(), {0.2, 0, 0});
   VehicleTrack track = track_of(made, {}, {1.5, 0, 0});
   track.sensor_on_vehicle = {1.7, 0, 0};
-  const RunScale right = estimate_run_scale(made.run, kOdometry, track, ScaleParams());
+  const RunScale right = estimate_run_scale(made.run, kOdometry, of_wheels(track), ScaleParams());
   EXPECT_NEAR(right.of_frame[150].factor, 2, 0.002);
   made.run.T_vehicle_cam.reset();
-  const RunScale wrong = estimate_run_scale(made.run, kOdometry, track, ScaleParams());
+  const RunScale wrong = estimate_run_scale(made.run, kOdometry, of_wheels(track), ScaleParams());
   EXPECT_GT(std::abs(wrong.of_frame[150].factor - 2), std::abs(right.of_frame[150].factor - 2));
 }
 
@@ -96,16 +99,17 @@ TEST(TrackScale, TracksOfOtherTimesOrWithoutMotionGiveNoScale) {
   const MadeRun made = drive_over_ground({});
   VehicleTrack late = track_of(made, {});
   for (VehiclePosition& p : late.positions) p.time.ticks += 1000 * Timestamp::kTicksPerSecond;
-  EXPECT_FALSE(estimate_run_scale(made.run, kOdometry, late, ScaleParams()).problem.empty());
+  EXPECT_FALSE(estimate_run_scale(made.run, kOdometry, of_wheels(late), ScaleParams()).problem.empty());
   VehicleTrack still = track_of(made, {});
   for (VehiclePosition& p : still.positions) p.position.setZero();
-  EXPECT_FALSE(estimate_run_scale(made.run, kOdometry, still, ScaleParams()).problem.empty());
+  EXPECT_FALSE(estimate_run_scale(made.run, kOdometry, of_wheels(still), ScaleParams()).problem.empty());
   EXPECT_FALSE(estimate_run_scale(made.run, kOdometry, {}, ScaleParams()).problem.empty());
 }
 
 TEST(TrackScale, LiveScaleFollowsATrack) {
   const MadeRun made = drive_over_ground({});
-  LiveScale live(made.run.pinhole, kOdometry, track_of(made, {0.02, 0, 1}), std::nullopt, ScaleParams());
+  LiveScale live(made.run.pinhole, kOdometry, of_wheels(track_of(made, {0.02, 0, 1})), std::nullopt,
+                 ScaleParams());
   for (const FrameRecord& f : made.run.frames) live.add_frame(f);
   ASSERT_TRUE(live.newest());
   EXPECT_NEAR(live.newest()->factor, 2, 0.04);

@@ -7,6 +7,7 @@
 #include "edgevo/report/chart.h"
 #include "edgevo/report/page.h"
 #include "edgevo/report/palette.h"
+#include "edgevo/run_quality/scale_faults.h"
 #include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
@@ -34,6 +35,14 @@ std::string how_it_was_found(const ScaleSource& source) {
   return "";
 }
 
+std::string how_it_was_found(const ScaleSources& sources) {
+  std::string text;
+  for (const ScaleSource& source : sources.list) text += (text.empty() ? "" : " ") + how_it_was_found(source);
+  if (sources.list.size() > 1)
+    text += " Each counts by its uncertainty, and not where it contradicts the rest.";
+  return text;
+}
+
 std::string estimate_text(const Run& run) {
   const ScaleRecord& s = run.scale;
   std::string text = " One unit of the odometry is " + fixed(s.factor, 4) + " m";
@@ -45,7 +54,7 @@ std::string estimate_text(const Run& run) {
   text += ".";
   if (s.frames_carried_over > 0)
     text += " It was not measured on " + std::to_string(s.frames_carried_over) + " of " +
-            std::to_string(s.frames.size()) + " frames, which take the value of the nearest measured frame.";
+            std::to_string(s.frames.size()) + " frames, which take what the scale around them says.";
   return text;
 }
 
@@ -106,9 +115,11 @@ std::string lens_text(const CameraRefinement& camera) {
 std::string scale_section(const Run& run) {
   std::string body = "<p>Unit: <b>" + html_escaped(unit_statement(run)) + "</b>. Source of scale: <b>" +
                      html_escaped(run.scale_source) + "</b>. " +
-                     html_escaped(how_it_was_found(parse_scale_source(run.scale_source)) +
+                     html_escaped(how_it_was_found(parse_scale_sources(run.scale_source)) +
                                   (run.is_metric() ? estimate_text(run) : "")) +
                      "</p>\n";
+  for (const ScaleFault& fault : run.scale.faults)
+    body += "<p class=\"bad\">" + html_escaped(to_string(fault)) + "</p>\n";
   if (!run.scale.problem.empty()) body += "<p class=\"bad\">" + html_escaped(run.scale.problem) + "</p>\n";
   if (!run.scale.frames.empty() && run.scale.frames.size() == run.frames.size())
     body += draw(scale_chart(run));

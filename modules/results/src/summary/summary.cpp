@@ -9,6 +9,7 @@
 #include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/run_warnings.h"
+#include "edgevo/run_quality/scale_faults.h"
 #include "edgevo_build_info.h"
 #include "summary_parts.h"
 
@@ -148,6 +149,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_timing(input, &y);
   write_realtime(input.run, &y);
   y.list("not_to_be_trusted", doubtful_in_words(input.run));
+  y.list("scale_faults", scale_faults_in_words(input.run));
   y.list("not_written", input.not_written);
   y.list("warnings", all_warnings(input));
   if (!input.info.notes.empty()) y.open("notes");

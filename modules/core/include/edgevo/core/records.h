@@ -217,6 +217,20 @@ struct FrameScale {
   double live_factor = 0, live_sigma = 0;
 };
 
+/// A source of scale that contradicts the others, or the steadiness of the run's unit, over some frames. It
+/// does not count there.
+struct ScaleFault {
+  /// The source as --scale names it.
+  std::string source;
+  /// Indices in the source of images of the first and the last frame.
+  int first_frame = 0, last_frame = 0;
+  /// Logarithm of the lengths that it measures over those of the run, and its standard deviation; 0 and 0
+  /// where its positions are displaced.
+  double log_excess = 0, log_excess_sigma = 0;
+  /// Displacement of its positions, metres; 0 where its lengths are wrong.
+  double displacement = 0;
+};
+
 /// Metric scale of a run; statistics over the frames with a pose.
 struct ScaleRecord {
   /// Medians of the factor and of its relative standard deviation.
@@ -227,6 +241,8 @@ struct ScaleRecord {
   int frames_carried_over = 0;
   /// Scale of each frame, parallel to Run::frames; empty if one factor was given.
   std::vector<FrameScale> frames;
+  /// What did not count, by source and time.
+  std::vector<ScaleFault> faults;
   /// Reason why the requested scale is not available; else empty.
   std::string problem;
 };

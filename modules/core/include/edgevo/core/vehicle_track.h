@@ -3,6 +3,7 @@
 // Positions of the vehicle measured by another sensor (wheel odometry, GPS, motion capture): the metric
 // reference for a monocular run.
 #include <Eigen/Core>
+#include <map>
 #include <vector>
 
 #include "edgevo/core/timestamp.h"
@@ -28,5 +29,8 @@ struct VehicleTrack {
   /// (x forward, y left, z up), metres.
   Eigen::Vector3d sensor_on_vehicle = Eigen::Vector3d::Zero();
 };
+
+/// Recordings of one vehicle, by sensor.
+using VehicleTracks = std::map<VehicleSensor, VehicleTrack>;
 
 }  // namespace edgevo

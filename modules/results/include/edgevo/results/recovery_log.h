@@ -32,10 +32,10 @@ constexpr const char* kRecoveryLog = "unfinished_run.bin";
 struct RecoveryHeader {
   /// Description of the run, as in the run's files.
   RunInfo info;
-  /// Source of the scale, in the syntax of --scale.
+  /// Sources of the scale, in the syntax of --scale.
   std::string scale = "none";
-  /// Vehicle track that the scale is measured by; may be empty.
-  VehicleTrack track;
+  /// Vehicle tracks that the scale is measured by; may be empty.
+  VehicleTracks tracks;
   /// Mount of the camera on the vehicle, if known.
   std::optional<SE3> T_vehicle_cam;
 };

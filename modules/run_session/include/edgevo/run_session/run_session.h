@@ -27,7 +27,7 @@ struct RunRequest {
   std::string out;
   /// Parameters by group.
   RunParams params;
-  /// Source of the scale, as --scale gives it.
+  /// Sources of the scale, as --scale gives them.
   std::string scale = "none";
   /// File for a trace; empty: none.
   std::string trace;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The metric scale during a run: what is known when a frame arrives, estimated over the most recent interval
-// of the path alone.
+// The metric scale during a run: what is known when a frame arrives, by all sources together over the last
+// three intervals of the path (scale_course.h).
 //
 // Feed it with each frame as the odometry delivers it, with each keyframe as it is marginalised and with each
 // move of the map. One thread. Memory: the last three intervals of the current segment, and an estimate for
-// each frame. Cost: a fit for each keyframe (camera_height) or for each fifth frame (others), under a
+// each frame. Cost: an estimate for each keyframe (camera_height) or for each fifth frame (others), under a
 // millisecond.
 #include <optional>
 #include <vector>
@@ -23,9 +23,9 @@ namespace edgevo {
 /// The scale estimate of a running odometry.
 class LiveScale {
  public:
-  /// `source` may be any; only an estimated one ever yields a scale. `T_vehicle_cam`: mount of the camera, if
+  /// `sources` may be any; only estimated ones ever yield a scale. `T_vehicle_cam`: mount of the camera, if
   /// known.
-  LiveScale(const Pinhole& pinhole, const ScaleSource& source, VehicleTrack track,
+  LiveScale(const Pinhole& pinhole, const ScaleSources& sources, VehicleTracks tracks,
             std::optional<SE3> T_vehicle_cam, const ScaleParams& params);
 
   /// Adds a frame with its live pose. Call in time order. The newest frame may come again in a new segment,
@@ -50,13 +50,12 @@ class LiveScale {
   void extend_path(const FrameRecord& frame);
   void begin_segment(int segment);
   void forget_what_lies_behind();
-  void estimate_from_track();
-  void estimate_from_ground();
+  void estimate();
   double interval_units() const;
 
   const Pinhole pinhole_;
-  const ScaleSource source_;
-  const VehicleTrack track_;
+  const ScaleSources sources_;
+  const VehicleTracks tracks_;
   const std::optional<SE3> T_vehicle_cam_;
   const ScaleParams params_;
 

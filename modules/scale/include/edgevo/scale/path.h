@@ -30,7 +30,9 @@ struct UnitPath {
   /// Number of the unit, from 0 on: another one begins at each doubt after which nothing links the unit of
   /// length to that before (run_quality/doubtful_intervals.h).
   int unit = 0;
-  /// Within one segment.
+  /// Number of its segment.
+  int segment = 0;
+  /// Its poses.
   Path path;
 };
 /// The paths of the segments, cut where another unit begins; none is empty.

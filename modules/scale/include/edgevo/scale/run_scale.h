@@ -16,16 +16,18 @@ namespace edgevo {
 
 /// The scale along a run, or the reason why there is none.
 struct RunScale {
-  /// One estimate for each of Run::frames; samples == 0: not measured there, copied from the nearest measured
-  /// frame. Empty: nothing was measured.
+  /// One estimate for each of Run::frames; samples == 0: not measured there, but by what lies around it.
+  /// Empty: nothing was measured.
   std::vector<ScaleEstimate> of_frame;
+  /// What did not count.
+  std::vector<ScaleFault> faults;
   /// Why there is no scale, and what to do; empty if there is one.
   std::string problem;
 };
 
-/// Measures the scale along each segment. `source` must be an estimated one; `track` is the track of its
-/// sensor (empty for camera_height).
-RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const VehicleTrack& track,
+/// Measures the scale along the run by all sources together, which must be estimated ones; `tracks` are those
+/// of their sensors. A source that contradicts the rest does not count there, and is named.
+RunScale estimate_run_scale(const Run& run, const ScaleSources& sources, const VehicleTracks& tracks,
                             const ScaleParams& params);
 
 /// Converts every length of the run to metres. The path is rebuilt step by step, each step between two frames
@@ -34,6 +36,6 @@ RunScale estimate_run_scale(const Run& run, const ScaleSource& source, const Veh
 /// each frame arrived (`live`, one for each frame); before the first estimate, with that first estimate,
 /// which the record states. Fills Run::scale_source and Run::scale.
 void make_metric(const RunScale& scale, const std::vector<std::optional<ScaleEstimate>>& live,
-                 const ScaleSource& source, Run* run);
+                 const ScaleSources& sources, Run* run);
 
 }  // namespace edgevo

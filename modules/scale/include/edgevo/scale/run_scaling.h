@@ -18,19 +18,19 @@ namespace edgevo {
 class RunScaling {
  public:
   /// `requested` as --scale gives it; the tracks are read from `source`. Throws InputError: the source of
-  /// images recorded no such sensor, or not while its images were taken.
-  RunScaling(const ScaleSource& requested, const ImageSource& source, const Pinhole& pinhole,
+  /// images recorded no such sensor, or, for the only source of scale, not while its images were taken.
+  RunScaling(const ScaleSources& requested, const ImageSource& source, const Pinhole& pinhole,
              const ScaleParams& params);
 
-  /// As above, for a run whose source is no longer open: `track` is what it recorded.
-  RunScaling(const ScaleSource& requested, VehicleTrack track, const Pinhole& pinhole,
+  /// As above, for a run whose source is no longer open: `tracks` are what it recorded.
+  RunScaling(const ScaleSources& requested, VehicleTracks tracks, const Pinhole& pinhole,
              const std::optional<SE3>& T_vehicle_cam, const ScaleParams& params);
 
   /// Follows the run: all its events, in their order. Does nothing unless the scale is measured along the
   /// run.
   void apply(const MapEvent& event);
-  /// The sensor's track that the scale is measured from; empty if none is needed.
-  const VehicleTrack& track() const { return track_; }
+  /// The tracks of the sensors that the scale is measured from; empty if none is needed.
+  const VehicleTracks& tracks() const { return tracks_; }
   /// Converts the finished run to metres if that was requested and is possible; else Run::scale.problem says
   /// why not.
   void convert(Run* run) const;
@@ -39,9 +39,9 @@ class RunScaling {
   void add_waiting();
   void follow(const EpochsPlaced& epochs);
 
-  ScaleSource requested_;
+  ScaleSources requested_;
   ScaleParams params_;
-  VehicleTrack track_;
+  VehicleTracks tracks_;
   LiveScale live_;
   /// By segment.
   std::map<int, Sim3> T_odom_map_;

@@ -3,6 +3,8 @@
 // Where the metric scale of a run comes from, as --scale names it.
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "edgevo/core/vehicle_track.h"
 
@@ -25,8 +27,26 @@ struct ScaleSource {
   bool is_estimated() const { return sensor().has_value() || kind == Kind::kCameraHeight; }
 };
 
-/// Parses none, factor=2.5, odometry, gps, robot_pose or camera_height=1.65. Throws InputError for anything
-/// else, which says what is wrong, the nearest name, and what to give.
-ScaleSource parse_scale_source(const std::string& option);
+/// All sources that --scale names.
+struct ScaleSources {
+  /// In the order given, at least one; several are all estimated ones of different kinds.
+  std::vector<ScaleSource> list{ScaleSource()};
+  /// Text of the option as given.
+  std::string text = "none";
+
+  ScaleSources() = default;
+  /// One source.
+  ScaleSources(ScaleSource source)  // NOLINT(google-explicit-constructor): a list of one
+      : list{source}, text(std::move(source.text)) {}
+  /// True if the scale has to be measured along the run.
+  bool is_estimated() const { return list.front().is_estimated(); }
+  /// The height of the camera over the ground, metres, if it is one of them.
+  std::optional<double> camera_height() const;
+};
+
+/// Parses none, factor=2.5, or a list without repetitions of odometry, gps, robot_pose and
+/// camera_height=1.65, separated by commas. Throws InputError for anything else, which says what is wrong,
+/// the nearest name, and what to give.
+ScaleSources parse_scale_sources(const std::string& option);
 
 }  // namespace edgevo

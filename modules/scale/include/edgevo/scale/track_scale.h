@@ -5,8 +5,11 @@
 //
 // The run's positions are the source and the sensor's the target of the fit, so that sensor noise does not
 // bias the scale: it is the regression of a noisy path on a smooth one. The transform between the two
-// coordinate frames need not be known. Positions far off the fit (a GPS fix that jumped) are rejected, in two
-// passes.
+// coordinate frames need not be known.
+//
+// Positions that are displaced against the others (a GPS fix, or a run of fixes, that jumped) have an
+// offset of their own, where the residuals become more probable by it than a jump is improbable. Residuals
+// are those of an autoregressive process: white as those of GPS, or a random walk as those of wheels.
 #include <optional>
 #include <vector>
 
@@ -21,6 +24,8 @@ namespace edgevo {
 struct TrackPair {
   /// Travelled distance along the path at that time, units of the run.
   double distance = 0;
+  /// Index of the first frame not before that time.
+  int frame_index = 0;
   /// Camera pose at that time, interpolated, units of the run.
   SE3 T_world_cam;
   /// Position of the sensor, metres.
@@ -34,9 +39,30 @@ std::vector<TrackPair> pair_up(const Path& path, const VehicleTrack& track);
 /// Least number of positions for a scale estimate.
 constexpr size_t kMinTrackPairs = 8;
 
+/// A jump of a sensor's positions.
+struct TrackJump {
+  /// The first pair after it.
+  size_t at = 0;
+  /// Offset of the positions from there on against those before, in the sensor's axes, metres.
+  Eigen::Vector3d by = Eigen::Vector3d::Zero();
+};
+
+/// A fit of the path to a sensor's positions.
+struct TrackFit {
+  /// Metres per unit.
+  ScaleEstimate scale;
+  /// Rotation from the world of the run to the sensor's axes.
+  Eigen::Matrix3d R_sensor_world = Eigen::Matrix3d::Identity();
+  /// Jumps, in time order.
+  std::vector<TrackJump> jumps;
+};
+
 /// `sensor_in_camera`: position of the sensor in camera axes, metres (zero if not known). nullopt for fewer
 /// than kMinTrackPairs, a path without motion, and an estimate worse than max_sigma.
-std::optional<ScaleEstimate> fit_track(const std::vector<TrackPair>& pairs,
-                                       const Eigen::Vector3d& sensor_in_camera, const ScaleParams& params);
+std::optional<TrackFit> fit_track(const std::vector<TrackPair>& pairs,
+                                  const Eigen::Vector3d& sensor_in_camera, const ScaleParams& params);
+
+/// Metres per unit by all pairs, without a search for jumps; nullopt without motion.
+std::optional<double> rough_scale(const std::vector<TrackPair>& pairs);
 
 }  // namespace edgevo
