@@ -8,7 +8,9 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/trusted_part.h"
+#include "edgevo/tracking/frame_view.h"
 #include "export_files.h"
+#include "mcap_run.h"
 #include "recovery_format.h"
 #include "run_outputs_impl.h"
 
@@ -49,6 +51,28 @@ void RunOutputs::Impl::begin() {
   earlier.set_aside();
   playback.emplace(folder.path(), camera);
   if (recovery_header) live.emplace(folder.path(), *recovery_header, std::move(*events));
+  if (mcap_events)
+    folder.attempt(kMcapFile, [this](const std::string& path_of_it) {
+      mcap = std::make_unique<McapOutput>(path_of_it, mcap_run(*recovery_header, params));
+    });
+}
+
+void RunOutputs::Impl::with_mcap(const std::function<void(McapOutput*)>& work) {
+  if (!mcap) return;
+  try {
+    work(mcap.get());
+  } catch (const InputError& e) {
+    folder.note_failure(kMcapFile, e);
+    mcap.reset();
+  }
+}
+
+// Without a file, too: an event is kept in memory until it has been read.
+void RunOutputs::Impl::write_mcap_events() {
+  if (!mcap_events) return;
+  const TraceScope traced("write run.mcap");
+  const auto read = mcap_events->read();
+  with_mcap([&](McapOutput* output) { output->apply(read); });
 }
 
 // A disk that is too slow for long holds the run up.
@@ -85,6 +109,7 @@ void RunOutputs::Impl::keep_image(const Frame& frame, const std::string& image_p
 void RunOutputs::Impl::keep_record(const FrameRecord& record) {
   const TraceScope traced("write the record", record.index);
   if (record.T_world_cam_live && earlier.is_set_aside()) earlier.remove();
+  write_mcap_events();
   if (!live) return;
   live->write_events();
   live->add(record);
@@ -99,11 +124,17 @@ RunOutputs::~RunOutputs() { impl_->remove_if_unused(); }
 void RunOutputs::keep_recovery_log(const RecoveryHeader& header, const std::shared_ptr<MapLog>& log) {
   impl_->recovery_header = header;
   impl_->events.emplace(log);
+  if (impl_->options.mcap != McapContent::kOff) impl_->mcap_events.emplace(log);
 }
 
 void RunOutputs::adopt(int last_frame) {
   impl_->playback.emplace(impl_->folder.path(), impl_->camera);
   impl_->playback->adopt_images(last_frame);
+}
+
+void RunOutputs::adopt(std::unique_ptr<McapOutput> mcap, const std::optional<InputError>& failure) {
+  impl_->mcap = std::move(mcap);
+  if (failure) impl_->folder.note_failure(kMcapFile, *failure);
 }
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
@@ -123,6 +154,16 @@ void RunOutputs::add_record(const FrameRecord& record) {
   impl_->write([this, record] { impl_->keep_record(record); });
 }
 
+bool RunOutputs::wants_views() const { return impl_->options.mcap == McapContent::kImages; }
+
+void RunOutputs::add_view(Timestamp time, const FrameView& view) {
+  if (!wants_views()) return;
+  impl_->write([this, time, view] {
+    const TraceScope traced("draw the edges");
+    impl_->with_mcap([&](McapOutput* output) { output->add_view(time, view); });
+  });
+}
+
 void RunOutputs::end_unfinished() {
   impl_->begin();
   impl_->catch_up();
@@ -138,12 +179,14 @@ void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   impl_->catch_up();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
+  impl_->write_mcap_events();
   if (count(run).with_pose > 0) impl_->earlier.remove();
   std::optional<Run> trusted;
   if (!impl_->options.include_doubtful && count(run).doubtful_keyframes > 0) trusted = trusted_part(run);
   ExportContext context{trusted ? *trusted : run, impl_->params,     &info,
                         &impl_->camera,           &*impl_->playback, &impl_->meter};
   if (trusted) context.with_doubtful = &run;
+  context.mcap = impl_->mcap.get();
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);

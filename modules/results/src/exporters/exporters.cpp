@@ -43,6 +43,8 @@ const std::vector<Exporter>& exporters() {
       {"scene.3Dscene", "trajectory and points in 3D", Kind::kMrpt, export_scene},
       {"playback.rawlog", "images, poses with covariance, keyframe points", Kind::kMrpt, export_playback},
       {"playback_Images", "images of the playback, written or linked during the run", Kind::kMrpt, nullptr},
+      {"run.mcap", "poses, points, lines, grid and log for Foxglove, rerun, RViz and ROS 2, written during the run",
+       Kind::kMrpt, export_mcap, has_mcap},
       {"report.html", "the results on one page", Kind::kReport, export_report},
       {"summary.yaml",
        "versions, parameters, scale, counts, timing, memory, and files that could not be written",
