@@ -9,7 +9,7 @@ namespace edgevo {
 namespace {
 
 // Below it edges get visible rings; a larger one costs bytes and shows no more.
-constexpr int kJpegQuality = 80;
+constexpr int kJpegQuality = 75;
 const cv::Vec3b kEdgeColour(230, 160, 60), kPointColour(80, 230, 80);  // blue, green, red
 
 // The image in three equal channels.

@@ -8,10 +8,10 @@
 namespace edgevo {
 namespace {
 
-// Pieces of lines a minute of the run: 0.2 MB.
-constexpr double kPiecesPerMinute = 8000, kSecondsPerMinute = 60;
+// Pieces of lines a minute of the run: 0.15 MB.
+constexpr double kPiecesPerMinute = 6000, kSecondsPerMinute = 60;
 // A short run shows its map, too.
-constexpr double kMinMinutes = 0.5;
+constexpr double kMinMinutes = 0.25;
 
 // base_link as the live poses have it, in the axes of the map files: where up was found at the end, these
 // differ from those of base_link at the start.

@@ -73,8 +73,7 @@ Matrix6d body_covariance(const Matrix6d& covariance, double length, const SE3& T
 Matrix6d in_parent(const Matrix6d& body_covariance, const SE3& T_parent_base) {
   Matrix6d R = Matrix6d::Zero();
   R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = T_parent_base.R();
-  const Matrix6d turned = R * body_covariance * R.transpose();
-  return 0.5 * (turned + turned.transpose());
+  return R * body_covariance * R.transpose();
 }
 
 }  // namespace edgevo

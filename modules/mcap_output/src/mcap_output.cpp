@@ -17,7 +17,7 @@ namespace {
 // a minute: a robot passes the 40 m of an estimate in it.
 constexpr int kMaxWaiting = 2000;
 // Seconds between two images.
-constexpr double kImagePeriod_s = 0.095;
+constexpr double kImagePeriod_s = 0.19;
 
 using Event = std::shared_ptr<const MapEvent>;
 

@@ -37,9 +37,12 @@ void add(CdrWriter* out, const SE3& T) {
   add(out, T.rotation());
 }
 
+// Symmetric to the last bit, and in the digits of a float32, which is more than a covariance is worth: the
+// rest are zeros, which compress.
 void add(CdrWriter* out, const Matrix6d& covariance) {
   for (int row = 0; row < 6; ++row)
-    for (int col = 0; col < 6; ++col) out->add(covariance(row, col));
+    for (int col = 0; col < 6; ++col)
+      out->add(double(float(0.5 * (covariance(row, col) + covariance(col, row)))));
 }
 
 void add(CdrWriter* out, const RosPose& pose) {

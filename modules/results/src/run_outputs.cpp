@@ -44,7 +44,7 @@ RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, 
       folder(path),
       text_reserve(path, kTextBytes),
       summary_reserve(path, kSummaryBytes),
-      writer({"writing", kMaxWrites, options.own_thread}) {}
+      writer({"writing", kMaxWrites, options.own_thread || options.mcap == McapContent::kImages}) {}
 
 void RunOutputs::Impl::begin() {
   if (playback) return;
@@ -67,12 +67,14 @@ void RunOutputs::Impl::with_mcap(const std::function<void(McapOutput*)>& work) {
   }
 }
 
-// Without a file, too: an event is kept in memory until it has been read.
+// Read by the caller, so that what is in the file before an image does not depend on the writer's thread; and
+// without a file, too: an event is kept in memory until it has been read.
 void RunOutputs::Impl::write_mcap_events() {
   if (!mcap_events) return;
-  const TraceScope traced("write run.mcap");
-  const auto read = mcap_events->read();
-  with_mcap([&](McapOutput* output) { output->apply(read); });
+  write([this, read = mcap_events->read()] {
+    const TraceScope traced("write run.mcap");
+    with_mcap([&](McapOutput* output) { output->apply(read); });
+  });
 }
 
 // A disk that is too slow for long holds the run up.
@@ -109,7 +111,6 @@ void RunOutputs::Impl::keep_image(const Frame& frame, const std::string& image_p
 void RunOutputs::Impl::keep_record(const FrameRecord& record) {
   const TraceScope traced("write the record", record.index);
   if (record.T_world_cam_live && earlier.is_set_aside()) earlier.remove();
-  write_mcap_events();
   if (!live) return;
   live->write_events();
   live->add(record);
@@ -152,6 +153,7 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 void RunOutputs::add_record(const FrameRecord& record) {
   impl_->begin();
   impl_->write([this, record] { impl_->keep_record(record); });
+  impl_->write_mcap_events();
 }
 
 bool RunOutputs::wants_views() const { return impl_->options.mcap == McapContent::kImages; }
@@ -176,10 +178,10 @@ void RunOutputs::end_unfinished() {
 void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   const TraceScope traced("write the results");
   impl_->begin();
+  impl_->write_mcap_events();
   impl_->catch_up();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
-  impl_->write_mcap_events();
   if (count(run).with_pose > 0) impl_->earlier.remove();
   std::optional<Run> trusted;
   if (!impl_->options.include_doubtful && count(run).doubtful_keyframes > 0) trusted = trusted_part(run);

@@ -5,6 +5,7 @@
   strict_mcap.py check FILE    every rule of a finished file; prints what it holds
   strict_mcap.py cut FILE N    cuts the file at N places: every chunk before the cut must be readable
   strict_mcap.py table FILE TOPIC FIELD...   values of fields, one line for each message
+  strict_mcap.py cloud FILE TOPIC            the values of each point of its clouds
 
 Standard library, and libzstd by ctypes. Exit code 1 with the first rule that is broken."""
 import ctypes
@@ -400,8 +401,19 @@ def table(path, topic, *fields):
             print(" ".join(repr(field_of(message["data"], f)) for f in fields))
 
 
+def cloud(path, topic):
+    for message in read_strictly(path).messages:
+        if message["topic"] != topic:
+            continue
+        m = message["data"]
+        require(m["row_step"] * m["height"] == len(m["data"]), "a cloud has another size than it says")
+        require(all(f["datatype"] == 7 and f["count"] == 1 for f in m["fields"]), "a field is no float32")
+        for at in range(0, len(m["data"]), m["point_step"]):
+            print(*(struct.unpack_from("<f", m["data"], at + f["offset"])[0] for f in m["fields"]))
+
+
 if __name__ == "__main__":
     try:
-        {"check": check, "cut": cut, "table": table}[sys.argv[1]](*sys.argv[2:])
+        {"check": check, "cut": cut, "table": table, "cloud": cloud}[sys.argv[1]](*sys.argv[2:])
     except Broken as rule:
         sys.exit(f"{sys.argv[2]}: {rule}")

@@ -38,7 +38,7 @@ enum class McapContent {
   kOff,
   /// All but images: two megabytes a minute at most.
   kPoses,
-  /// Ten images a second, too, with the edges drawn.
+  /// Five images a second, too, with the edges drawn: ten to thirty megabytes a minute.
   kImages,
 };
 
@@ -72,7 +72,7 @@ class McapOutput {
 
   /// Writes what events say: all those of the run, in their order, some at a time.
   void apply(const std::vector<std::shared_ptr<const MapEvent>>& events);
-  /// Writes the image of a frame with its edges, unless one was written a tenth of a second ago. Cost: 4 ms
+  /// Writes the image of a frame with its edges, unless one was written a fifth of a second ago. Cost: 3 ms
   /// for 1241x376.
   void add_view(Timestamp time, const FrameView& view);
   /// Writes what is known at the end, and the index. `grid`: null if there is none. Call once, last.
