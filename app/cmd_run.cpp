@@ -148,9 +148,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                     "give tracking the real-time priority of the system (SCHED_FIFO), where that is allowed");
   command->add_flag("--copy-images", args->run.outputs.copy_images,
                     "copy the images of the playback instead of linking them, so that OUT is self-contained");
-  command->add_option("--mcap", args->mcap,
-                      "run.mcap for Foxglove, RViz and ROS 2: poses (the default; 2 MB a minute at most), images "
-                      "(with the edges drawn, too), off");
+  command->add_option(
+      "--mcap", args->mcap,
+      "run.mcap for Foxglove, RViz and ROS 2: poses (the default; 2 MB a minute at most), images "
+      "(with the edges drawn, too), off");
   add_include_doubtful(*command, &args->run.outputs.include_doubtful);
   command->add_flag("--force", args->run.outputs.force,
                     "write into a folder that holds other files or an interrupted run");

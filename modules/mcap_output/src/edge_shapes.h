@@ -43,7 +43,8 @@ std::vector<RosPoint> cloud_of(const KeyframeRecord& keyframe, const ShapeView& 
 size_t points_kept(const KeyframeRecord& keyframe, const PointFilter& filter);
 /// Ends of straight pieces along lines, the longest lines first, at most `most` pieces; a piece departs from
 /// its line by no more than the depth is uncertain.
-std::vector<Eigen::Vector3d> pieces_of(const std::vector<EdgeLine>& lines, const ShapeView& view, size_t most);
+std::vector<Eigen::Vector3d> pieces_of(const std::vector<EdgeLine>& lines, const ShapeView& view,
+                                       size_t most);
 /// Vertices of lines as a cloud: every nth of each line, and its last; about `most`.
 std::vector<RosPoint> samples_of(const std::vector<EdgeLine>& lines, const ShapeView& view, size_t most);
 

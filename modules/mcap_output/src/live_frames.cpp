@@ -58,7 +58,7 @@ Sim3 LiveFrames::T_map_segment(int segment, int keyframe_id) const {
   return Sim3{1, T_base_cam_} * to_metres() * T_world_segment(segment, keyframe_id);
 }
 
-double LiveFrames::length_ratio(int segment) const {
+double LiveFrames::metres_per_map_unit(int segment) const {
   const auto known = T_odom_map_.find(segment);
   return factor_ * (known == T_odom_map_.end() ? 1 : known->second.scale);
 }

@@ -17,7 +17,7 @@ namespace edgevo {
 /// The frames of one run. A value; for one thread.
 class LiveFrames {
  public:
-  /// `T_vehicle_cam` as in Run; without metres its lever arm is left out.
+  /// `T_vehicle_cam` as in Run; without metres its lever arm is ignored.
   LiveFrames(const std::optional<SE3>& T_vehicle_cam, bool is_metric);
 
   /// A segment has begun.
@@ -40,16 +40,14 @@ class LiveFrames {
   /// From the map of a segment to the frame `map`, for what a keyframe hosts.
   Sim3 T_map_segment(int segment, int keyframe_id) const;
   /// Lengths in `odom` over those in the map of a segment, for frames of now.
-  double length_ratio(int segment) const;
+  double metres_per_map_unit(int segment) const;
   /// Relative standard deviation of lengths as a whole; 0: unknown.
   double scale_sigma() const { return scale_sigma_; }
   /// Number of times that T_map_odom was announced anew.
   int changes() const { return changes_; }
 
  private:
-  Sim3 to_metres() const {
-    return {factor_, SE3(Eigen::Quaterniond::Identity(), offset_)};
-  }
+  Sim3 to_metres() const { return {factor_, SE3(Eigen::Quaterniond::Identity(), offset_)}; }
   Sim3 T_world_segment(int segment, int keyframe_id) const;
 
   SE3 T_base_cam_;

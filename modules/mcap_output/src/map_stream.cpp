@@ -59,10 +59,10 @@ void MapStream::add(const LinesFinished& lines) {
   const std::vector<Eigen::Vector3d> all = pieces_of(lines.lines, view, vertices);
   const size_t pieces = pieces_.take(all.size() / 2);
   if (pieces > 0)
-    file_.write(Topic::kEdges, now_,
-                lines_message({now_, kMapFrame},
-                              {{lines.keyframe_id, {all.begin(), all.begin() + std::ptrdiff_t(2 * pieces)}}},
-                              false));
+    file_.write(
+        Topic::kEdges, now_,
+        lines_message({now_, kMapFrame},
+                      {{lines.keyframe_id, {all.begin(), all.begin() + std::ptrdiff_t(2 * pieces)}}}, false));
   const std::vector<RosPoint> samples = samples_of(lines.lines, view, samples_.take(vertices));
   if (!samples.empty()) file_.write(Topic::kEdgePoints, now_, cloud_message({now_, kMapFrame}, samples));
 }

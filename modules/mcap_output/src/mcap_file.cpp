@@ -89,8 +89,8 @@ std::string McapFile::message_indices(uint64_t offset, std::map<uint16_t, uint64
     (*offsets)[channel] = offset + records.size();
     McapFields entries;
     for (const auto& [time, place] : messages) entries.number(time).number(place);
-    records += mcap_record(McapOpcode::kMessageIndex,
-                           McapFields().number(channel).text(entries.bytes()).bytes());
+    records +=
+        mcap_record(McapOpcode::kMessageIndex, McapFields().number(channel).text(entries.bytes()).bytes());
   }
   return records;
 }
@@ -169,8 +169,8 @@ void McapFile::write_summary(const std::string& metadata_index) {
     schemas += mcap_schema_record(schemas_.at(name).id, {name, schemas_.at(name).text});
   for (size_t i = 0; i < channels_.size(); ++i)
     if (channels_[i].is_written)
-      channels += mcap_channel_record(uint16_t(i), schemas_.at(channels_[i].channel.schema).id,
-                                      channels_[i].channel);
+      channels +=
+          mcap_channel_record(uint16_t(i), schemas_.at(channels_[i].channel.schema).id, channels_[i].channel);
   const std::pair<McapOpcode, std::string> groups[] = {{McapOpcode::kSchema, schemas},
                                                        {McapOpcode::kChannel, channels},
                                                        {McapOpcode::kStatistics, statistics()},

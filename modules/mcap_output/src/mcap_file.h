@@ -5,7 +5,7 @@
 //
 //   magic  Header  (Chunk  MessageIndex ...) ...  Metadata  DataEnd  summary  Footer  magic
 //
-// Schemas and channels stand in the chunk of their first message, and again in the summary.
+// The chunk of the first message of a channel has its schema and itself, and so has the summary.
 #include <cstdint>
 #include <map>
 #include <string>

@@ -113,7 +113,7 @@ void McapOutput::Impl::write_end(const Run& finished, const OccupancyGrid* grid)
   const LiveEnd end = poses.end();
   if (finished.is_metric() != streams->frames.is_metric())
     return poses.log(RosLevel::kWarn,
-                     "path, lines and grid have another unit than this file and are left out: the scale " +
+                     "path, lines and grid have another unit than this file and are not in it: the scale " +
                          std::string(finished.is_metric() ? "came too late" : "was lost at the end"));
   poses.write_last_change(final_T_map_odom(finished, end), streams->frames.changes() + 1);
   write_final_part(finished, grid, end, &file);

@@ -96,7 +96,7 @@ void PoseStream::write_last_change(const std::optional<SE3>& T_map_odom, int cou
 }
 
 void PoseStream::write_pose(const FrameRecord& frame) {
-  const double length = frames_.length_ratio(frame.segment);
+  const double length = frames_.metres_per_map_unit(frame.segment);
   const KnownPose pose{frame.time, frame.segment, frames_.T_odom_base(*frame.T_world_cam_live),
                        body_covariance(frame.covariance, length, frames_.T_base_cam())};
   const SE3 T_map_odom = frames_.T_map_odom(), T_map_base = T_map_odom * pose.T_odom_base;
@@ -135,8 +135,7 @@ std::optional<RosTwist> PoseStream::twist_at(int frame_index, const KnownPose& p
     return std::nullopt;
   const SE3 step = last.T_odom_base.inverse() * pose.T_odom_base;
   const Matrix6d back = step.inverse().adjoint();
-  RosTwist twist{step.log() / dt,
-                 (pose.covariance + back * last.covariance * back.transpose()) / (dt * dt)};
+  RosTwist twist{step.log() / dt, (pose.covariance + back * last.covariance * back.transpose()) / (dt * dt)};
   const Eigen::Vector3d scale_error = frames_.scale_sigma() * twist.velocity.head<3>();
   twist.covariance.topLeftCorner<3, 3>() += scale_error * scale_error.transpose();
   return twist;

@@ -64,8 +64,8 @@ class PoseStream {
   bool has_begun_ = false;
   std::optional<TrackingState> state_;
   std::optional<std::pair<Timestamp, SE3>> newest_pose_;  // T_odom_base
-  std::set<int> without_pose_;       // indices of recent frames
-  std::map<int, KnownPose> recent_;  // by index
+  std::set<int> without_pose_;                            // indices of recent frames
+  std::map<int, KnownPose> recent_;                       // by index
   int changes_ = -1;
 };
 

@@ -31,7 +31,7 @@ TEST(LiveFrames, VehicleMovesAsTheCamera) {
   EXPECT_TRUE(frames.T_odom_base(SE3()).matrix().isApprox(Eigen::Matrix4d::Identity(), 1e-12));
 }
 
-TEST(LiveFrames, WithoutMetresTheLeverArmIsLeftOut) {
+TEST(LiveFrames, WithoutMetresTheLeverArmIsIgnored) {
   const LiveFrames frames(kMount, false);
   EXPECT_EQ(frames.T_base_cam().translation(), Eigen::Vector3d::Zero());
   EXPECT_TRUE(frames.T_base_cam().R().isApprox(kMount.R(), 1e-12));
@@ -57,9 +57,9 @@ TEST(LiveFrames, MapToOdomIsRigidAndCounted) {
   EXPECT_EQ(frames.changes(), 1);
   Eigen::Matrix4d in_metres = kPose.matrix();
   in_metres.topRightCorner<3, 1>() *= 3;
-  EXPECT_TRUE(frames.T_map_odom().matrix().isApprox(
-      kMount.matrix() * in_metres * kMount.matrix().inverse(), 1e-12));
-  EXPECT_EQ(frames.length_ratio(0), 6);
+  EXPECT_TRUE(
+      frames.T_map_odom().matrix().isApprox(kMount.matrix() * in_metres * kMount.matrix().inverse(), 1e-12));
+  EXPECT_EQ(frames.metres_per_map_unit(0), 6);
 }
 
 // A place in the world is one, whether it is reached by live poses or by the epoch of a keyframe.
@@ -92,7 +92,8 @@ TEST(LiveFrames, CovarianceIsThatOfSmallMotions) {
     // T_cam_ref <- exp(xi) T_cam_ref turns T_odom_cam into T_odom_cam exp(-xi).
     const SE3 moved = base(T_odom_cam * SE3::exp(-xi)), still = base(T_odom_cam);
     J.col(i).head<3>() = (moved.translation() - still.translation()) / small;
-    J.col(i).tail<3>() = SE3(Eigen::Quaterniond(moved.R() * still.R().transpose()), {0, 0, 0}).log().tail<3>() / small;
+    J.col(i).tail<3>() =
+        SE3(Eigen::Quaterniond(moved.R() * still.R().transpose()), {0, 0, 0}).log().tail<3>() / small;
   }
   const Matrix6d A = Matrix6d::Random();
   const Matrix6d covariance = A * A.transpose();

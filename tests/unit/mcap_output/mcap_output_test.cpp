@@ -125,13 +125,16 @@ TEST_F(McapOutputTest, OdometryIsThatOfTheRecords) {
 
 TEST_F(McapOutputTest, PosesAndTransformsAgree) {
   const std::string path = write();
-  const auto poses = numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose."));
-  const auto names = table_of(path, "/tf", "transforms.0.header.frame_id transforms.0.child_frame_id "
-                                           "transforms.1.header.frame_id transforms.1.child_frame_id");
-  const auto tf = numbers_of(path, "/tf", "transforms.1.transform.translation.x transforms.1.transform.translation.y "
-                                          "transforms.1.transform.translation.z transforms.1.transform.rotation.x "
-                                          "transforms.1.transform.rotation.y transforms.1.transform.rotation.z "
-                                          "transforms.1.transform.rotation.w");
+  const auto poses =
+      numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose."));
+  const auto names = table_of(path, "/tf",
+                              "transforms.0.header.frame_id transforms.0.child_frame_id "
+                              "transforms.1.header.frame_id transforms.1.child_frame_id");
+  const auto tf = numbers_of(path, "/tf",
+                             "transforms.1.transform.translation.x transforms.1.transform.translation.y "
+                             "transforms.1.transform.translation.z transforms.1.transform.rotation.x "
+                             "transforms.1.transform.rotation.y transforms.1.transform.rotation.z "
+                             "transforms.1.transform.rotation.w");
   ASSERT_EQ(poses.size(), 40u);  // five of 45 are lost
   ASSERT_GE(tf.size(), poses.size());
   for (size_t i = 0; i < poses.size(); ++i) {
@@ -167,9 +170,10 @@ TEST_F(McapOutputTest, AGivenFactorMakesMetres) {
   run_.scale = parse_scale_source("factor=3");
   const std::string path = write();
   EXPECT_EQ(table_of(path, "/edgevo/is_metric", "data")[0][0], "True");
-  for (const auto& row : numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose.")))
+  for (const auto& row :
+       numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose.")))
     EXPECT_TRUE(matrix_of(row, 2).isApprox(vehicle(frame_at(row[0], row[1]), 3), 1e-12));
-  // The records of this run are not in metres: what would not fit is left out, and that is said.
+  // The records of this run are not in metres: what would not fit is not written, and that is said.
   EXPECT_TRUE(table_of(path, "/edgevo/path", "header.frame_id").empty());
   EXPECT_THAT(read_strictly("table " + path + " /rosout msg").text, HasSubstr("have another unit"));
 }
@@ -181,7 +185,8 @@ TEST_F(McapOutputTest, AScaleThatComesAtTheEndHoldsForAll) {
   made_.run.scale.factor = 2;
   const std::string path = write();
   EXPECT_EQ(table_of(path, "/edgevo/is_metric", "data")[0][0], "True");
-  const auto rows = numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose."));
+  const auto rows =
+      numbers_of(path, "/edgevo/pose", "header.stamp.sec header.stamp.nanosec " + pose_fields("pose."));
   ASSERT_EQ(rows.size(), 40u);
   EXPECT_TRUE(matrix_of(rows[20], 2).isApprox(vehicle(frame_at(rows[20][0], rows[20][1]), 2), 1e-12));
   EXPECT_EQ(read_strictly("check " + path).code, 0);

@@ -4,6 +4,7 @@
 
   strict_mcap.py check FILE    every rule of a finished file; prints what it holds
   strict_mcap.py cut FILE N    cuts the file at N places: every chunk before the cut must be readable
+  strict_mcap.py begun FILE    a file without its end: prints how many whole chunks and messages it holds
   strict_mcap.py table FILE TOPIC FIELD...   values of fields, one line for each message
   strict_mcap.py cloud FILE TOPIC            the values of each point of its clouds
 
@@ -389,6 +390,12 @@ def cut(path, times):
     print(f"{times} cuts, each with all chunks before it")
 
 
+def begun(path):
+    reader = Reader(open(path, "rb").read())
+    require(reader.read_data(len(reader.data)) is None, "the file has its end")
+    print(f"{len(reader.chunks)} chunks, {len(reader.messages)} messages")
+
+
 def field_of(message, path):
     for step in path.split("."):
         message = message[int(step)] if step.isdigit() else message[step]
@@ -414,6 +421,8 @@ def cloud(path, topic):
 
 if __name__ == "__main__":
     try:
-        {"check": check, "cut": cut, "table": table, "cloud": cloud}[sys.argv[1]](*sys.argv[2:])
+        {"check": check, "cut": cut, "begun": begun, "table": table, "cloud": cloud}[sys.argv[1]](*sys.argv[2:])
     except Broken as rule:
         sys.exit(f"{sys.argv[2]}: {rule}")
+    except BrokenPipeError:
+        pass

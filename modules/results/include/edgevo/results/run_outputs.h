@@ -76,7 +76,8 @@ class RunOutputs {
   /// trajectory_live_tum.txt and frames.csv. Call after add_frame().
   void add_record(const FrameRecord& record);
 
-  /// Writes the view of a frame to run.mcap, if that has images. Call after add_record(), where wants_views().
+  /// Writes the view of a frame to run.mcap, if that has images. Call after add_record(), where
+  /// wants_views().
   void add_view(Timestamp time, const FrameView& view);
   /// Whether add_view() uses what it is given.
   bool wants_views() const;
