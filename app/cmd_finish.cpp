@@ -47,8 +47,9 @@ void add_finish_command(CLI::App& app, Action* action) {
                    "size of voxels and cells, unit of the run (default: that of the run)")
       ->check(positive_number());
   auto mcap = std::make_shared<std::string>();
-  command->add_option("--mcap", *mcap,
-                      "run.mcap: poses (without images) or off (default: as the run, without images)");
+  command->add_option(
+      "--mcap", *mcap,
+      "run.mcap: poses or off (default: poses; what has images stays as it is, without its end)");
   command->footer("The exit code is that of a run that ended there.");
   command->callback([=] {
     *action = [=] {

@@ -137,6 +137,8 @@ void McapOutput::add_view(Timestamp time, const FrameView& view) {
   impl_->file.write(Topic::kImage, time, image_message(header, edge_image(view)));
 }
 
+void McapOutput::flush() { impl_->file.end_chunk(); }
+
 void McapOutput::finish(const Run& run, const OccupancyGrid* grid) {
   impl_->begin_at_end(run);
   impl_->write_end(run, grid);

@@ -39,6 +39,8 @@ class TopicFile {
   void write(Topic topic, Timestamp time, const std::string& message) {
     file_.add_message(uint16_t(topic), time, message);
   }
+  /// McapFile::end_chunk()
+  void end_chunk() { file_.end_chunk(); }
   /// Writes the rest and closes.
   void finish(const McapPairs& metadata) { file_.finish("edgevo", metadata); }
 

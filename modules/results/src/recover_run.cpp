@@ -44,13 +44,22 @@ RunInfo info_of(RunInfo info, const Run& run) {
   return info;
 }
 
-// run.mcap, written anew: the events say all that it holds but the images.
+// Whether run.mcap is to be written anew: the events say all that it holds but images, with which it stays as
+// the run has left it.
+bool writes_mcap(const std::string& path, const RunInfo& info, const std::optional<McapContent>& content) {
+  if (content) return *content != McapContent::kOff;
+  std::error_code ignored;
+  const std::pair<std::string, std::string> images{kMcapNote, kMcapWithImages};
+  const bool has_images = std::find(info.notes.begin(), info.notes.end(), images) != info.notes.end();
+  return !has_images && std::filesystem::exists(path, ignored);
+}
+
+// run.mcap, written anew.
 struct RecoveredMcap {
   RecoveredMcap(const std::string& folder, const RecoveryHeader& header, const MapParams& map,
                 const std::optional<McapContent>& content) {
     const std::string path = (std::filesystem::path(folder) / kMcapFile).string();
-    std::error_code ignored;
-    if (content ? *content == McapContent::kOff : !std::filesystem::exists(path, ignored)) return;
+    if (!writes_mcap(path, header.info, content)) return;
     attempt([&] { output = std::make_unique<McapOutput>(path, mcap_run(header, map)); });
   }
   void apply(MapEvent event) {

@@ -168,6 +168,8 @@ void RunOutputs::add_view(Timestamp time, const FrameView& view) {
 
 void RunOutputs::end_unfinished() {
   impl_->begin();
+  impl_->write_mcap_events();
+  impl_->write([this] { impl_->with_mcap([](McapOutput* output) { output->flush(); }); });
   impl_->catch_up();
   if (impl_->live) impl_->live->write_events();
   if (!impl_->live || impl_->live->is_broken())

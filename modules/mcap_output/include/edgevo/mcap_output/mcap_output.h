@@ -75,6 +75,8 @@ class McapOutput {
   /// Writes the image of a frame with its edges, unless one was written a fifth of a second ago. Cost: 3 ms
   /// for 1241x376.
   void add_view(Timestamp time, const FrameView& view);
+  /// Passes what was written so far to the system, for a run that ends without finish().
+  void flush();
   /// Writes what is known at the end, and the index. `grid`: null if there is none. Call once, last.
   void finish(const Run& run, const OccupancyGrid* grid);
 

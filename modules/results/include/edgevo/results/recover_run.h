@@ -33,7 +33,8 @@ struct RecoveryOptions {
   bool include_doubtful = false;
   /// Size of the voxels and cells of the maps, in the unit of the run; nothing: that of the run.
   std::optional<double> resolution;
-  /// Whether run.mcap is written, without images; nothing: if the interrupted run has begun one.
+  /// Whether run.mcap is written, without images; nothing: if the interrupted run has begun one that has
+  /// none.
   std::optional<McapContent> mcap;
 };
 
