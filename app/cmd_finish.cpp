@@ -46,8 +46,17 @@ void add_finish_command(CLI::App& app, Action* action) {
       ->add_option("--resolution", options->resolution,
                    "size of voxels and cells, unit of the run (default: that of the run)")
       ->check(positive_number());
+  auto mcap = std::make_shared<std::string>();
+  command->add_option(
+      "--mcap", *mcap,
+      "run.mcap: poses or off (default: poses; what has images stays as it is, without its end)");
   command->footer("The exit code is that of a run that ended there.");
-  command->callback([=] { *action = [=] { return finish(*out, *options); }; });
+  command->callback([=] {
+    *action = [=] {
+      if (!mcap->empty()) options->mcap = parse_mcap_content(*mcap, "--mcap " + *mcap);
+      return finish(*out, *options);
+    };
+  });
 }
 
 }  // namespace edgevo::app

@@ -17,7 +17,7 @@ namespace {
 
 struct RunArguments {
   RunRequest run;
-  std::string params_file, detector, edge_model, edge_folder, edge_map, mask;
+  std::string params_file, detector, edge_model, edge_folder, edge_map, mask, mcap = "poses";
   std::vector<std::string> settings;
   bool view = false;
 };
@@ -63,6 +63,7 @@ int run(const RunArguments& args) {
   if (args.view) become_program_with_window(args.run.command_line);
   RunRequest request = args.run;
   request.params = effective_params(args);
+  request.outputs.mcap = parse_mcap_content(args.mcap, "--mcap " + args.mcap);
   return run_session(request, run_host(args.view)) ? kDone : kMostlyFailed;
 }
 
@@ -148,6 +149,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                     "give tracking the real-time priority of the system (SCHED_FIFO), where that is allowed");
   command->add_flag("--copy-images", args->run.outputs.copy_images,
                     "copy the images of the playback instead of linking them, so that OUT is self-contained");
+  command->add_option(
+      "--mcap", args->mcap,
+      "run.mcap for Foxglove, RViz and ROS 2: poses (the default; 2 MB a minute at most), images "
+      "(with the edges drawn, too), off");
   add_include_doubtful(*command, &args->run.outputs.include_doubtful);
   command->add_flag("--force", args->run.outputs.force,
                     "write into a folder that holds other files or an interrupted run");

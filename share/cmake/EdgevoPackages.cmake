@@ -92,7 +92,7 @@ endif()
 # Components of find_package(edgevo) search for the packages that they link: those of the odometry are dependencies, the others
 # recommendations.
 set(libraries "libeigen3-dev, libopencv-dev, libceres-dev, zlib1g-dev")
-set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev, libsqlite3-dev, libxml2-dev, libdeflate-dev")
+set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev, libsqlite3-dev, libxml2-dev, libdeflate-dev, libzstd-dev")
 edgevo_package(devel libedgevo-dev "edge visual odometry: libraries for C++"
   "Static libraries, headers, a CMake package (find_package(edgevo), targets
 edgevo::odometry, edgevo::datasets and others) and examples, in

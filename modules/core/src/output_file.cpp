@@ -43,6 +43,10 @@ void OutputFile::write(std::string_view bytes) {
   if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) fail(errno);
 }
 
+void OutputFile::flush() {
+  if (std::fflush(file_) != 0) fail(errno);
+}
+
 void OutputFile::close() {
   // fclose() frees the stream even when its flush fails.
   if (std::fclose(std::exchange(file_, nullptr)) != 0) fail(errno);

@@ -2,10 +2,14 @@
 #include "edgevo/results/recover_run.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
 #include <iterator>
+#include <memory>
 #include <set>
 #include <utility>
 
+#include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/results/recovery_log.h"
@@ -13,6 +17,7 @@
 #include "edgevo/results/run_params.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/scale/up_direction.h"
+#include "mcap_run.h"
 
 namespace edgevo {
 namespace {
@@ -39,6 +44,40 @@ RunInfo info_of(RunInfo info, const Run& run) {
   return info;
 }
 
+// Whether run.mcap is to be written anew: the events say all that it holds but images, with which it stays as
+// the run has left it.
+bool writes_mcap(const std::string& path, const RunInfo& info, const std::optional<McapContent>& content) {
+  if (content) return *content != McapContent::kOff;
+  std::error_code ignored;
+  const std::pair<std::string, std::string> images{kMcapNote, kMcapWithImages};
+  const bool has_images = std::find(info.notes.begin(), info.notes.end(), images) != info.notes.end();
+  return !has_images && std::filesystem::exists(path, ignored);
+}
+
+// run.mcap, written anew.
+struct RecoveredMcap {
+  RecoveredMcap(const std::string& folder, const RecoveryHeader& header, const MapParams& map,
+                const std::optional<McapContent>& content) {
+    const std::string path = (std::filesystem::path(folder) / kMcapFile).string();
+    if (!writes_mcap(path, header.info, content)) return;
+    attempt([&] { output = std::make_unique<McapOutput>(path, mcap_run(header, map)); });
+  }
+  void apply(MapEvent event) {
+    if (output) attempt([&] { output->apply({std::make_shared<const MapEvent>(std::move(event))}); });
+  }
+  void attempt(const std::function<void()>& work) {
+    try {
+      work();
+    } catch (const InputError& e) {
+      failure = e;
+      output.reset();
+    }
+  }
+
+  std::unique_ptr<McapOutput> output;
+  std::optional<InputError> failure;
+};
+
 // Frames that the log holds but that were not recovered.
 int frames_lost(const std::set<int>& beyond_damage, const Run& run) {
   const int last = run.frames.empty() ? -1 : run.frames.back().index;
@@ -55,9 +94,11 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   RunBuilder builder(rectification);
   RunScaling scaling(parse_scale_sources(header.scale), header.tracks, rectification.target(),
                      header.T_vehicle_cam, params.scale);
-  while (const std::optional<MapEvent> event = log.next()) {
+  RecoveredMcap mcap(folder, header, params.map, options.mcap);
+  while (std::optional<MapEvent> event = log.next()) {
     builder.apply(*event);
     scaling.apply(*event);
+    mcap.apply(std::move(*event));
   }
   builder.adopt_window();
   Run run = builder.finish();
@@ -75,6 +116,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   output_options.include_doubtful = options.include_doubtful;
   RunOutputs outputs(folder, header.info.camera, params.map, output_options);
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
+  outputs.adopt(std::move(mcap.output), mcap.failure);
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();
   recovered.run = std::move(run);

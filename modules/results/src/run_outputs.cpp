@@ -8,7 +8,9 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/trusted_part.h"
+#include "edgevo/tracking/frame_view.h"
 #include "export_files.h"
+#include "mcap_run.h"
 #include "recovery_format.h"
 #include "run_outputs_impl.h"
 
@@ -42,13 +44,37 @@ RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, 
       folder(path),
       text_reserve(path, kTextBytes),
       summary_reserve(path, kSummaryBytes),
-      writer({"writing", kMaxWrites, options.own_thread}) {}
+      writer({"writing", kMaxWrites, options.own_thread || options.mcap == McapContent::kImages}) {}
 
 void RunOutputs::Impl::begin() {
   if (playback) return;
   earlier.set_aside();
   playback.emplace(folder.path(), camera);
   if (recovery_header) live.emplace(folder.path(), *recovery_header, std::move(*events));
+  if (mcap_events)
+    folder.attempt(kMcapFile, [this](const std::string& path_of_it) {
+      mcap = std::make_unique<McapOutput>(path_of_it, mcap_run(*recovery_header, params));
+    });
+}
+
+void RunOutputs::Impl::with_mcap(const std::function<void(McapOutput*)>& work) {
+  if (!mcap) return;
+  try {
+    work(mcap.get());
+  } catch (const InputError& e) {
+    folder.note_failure(kMcapFile, e);
+    mcap.reset();
+  }
+}
+
+// Read by the caller, so that what is in the file before an image does not depend on the writer's thread; and
+// without a file, too: an event is kept in memory until it has been read.
+void RunOutputs::Impl::write_mcap_events() {
+  if (!mcap_events) return;
+  write([this, read = mcap_events->read()] {
+    const TraceScope traced("write run.mcap");
+    with_mcap([&](McapOutput* output) { output->apply(read); });
+  });
 }
 
 // A disk that is too slow for long holds the run up.
@@ -99,11 +125,17 @@ RunOutputs::~RunOutputs() { impl_->remove_if_unused(); }
 void RunOutputs::keep_recovery_log(const RecoveryHeader& header, const std::shared_ptr<MapLog>& log) {
   impl_->recovery_header = header;
   impl_->events.emplace(log);
+  if (impl_->options.mcap != McapContent::kOff) impl_->mcap_events.emplace(log);
 }
 
 void RunOutputs::adopt(int last_frame) {
   impl_->playback.emplace(impl_->folder.path(), impl_->camera);
   impl_->playback->adopt_images(last_frame);
+}
+
+void RunOutputs::adopt(std::unique_ptr<McapOutput> mcap, const std::optional<InputError>& failure) {
+  impl_->mcap = std::move(mcap);
+  if (failure) impl_->folder.note_failure(kMcapFile, *failure);
 }
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
@@ -121,10 +153,23 @@ bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
 void RunOutputs::add_record(const FrameRecord& record) {
   impl_->begin();
   impl_->write([this, record] { impl_->keep_record(record); });
+  impl_->write_mcap_events();
+}
+
+bool RunOutputs::wants_views() const { return impl_->options.mcap == McapContent::kImages; }
+
+void RunOutputs::add_view(Timestamp time, const FrameView& view) {
+  if (!wants_views()) return;
+  impl_->write([this, time, view] {
+    const TraceScope traced("draw the edges");
+    impl_->with_mcap([&](McapOutput* output) { output->add_view(time, view); });
+  });
 }
 
 void RunOutputs::end_unfinished() {
   impl_->begin();
+  impl_->write_mcap_events();
+  impl_->write([this] { impl_->with_mcap([](McapOutput* output) { output->flush(); }); });
   impl_->catch_up();
   if (impl_->live) impl_->live->write_events();
   if (!impl_->live || impl_->live->is_broken())
@@ -135,6 +180,7 @@ void RunOutputs::end_unfinished() {
 void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   const TraceScope traced("write the results");
   impl_->begin();
+  impl_->write_mcap_events();
   impl_->catch_up();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
@@ -144,6 +190,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   ExportContext context{trusted ? *trusted : run, impl_->params,     &info,
                         &impl_->camera,           &*impl_->playback, &impl_->meter};
   if (trusted) context.with_doubtful = &run;
+  context.mcap = impl_->mcap.get();
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);

@@ -29,6 +29,9 @@ struct RunOutputs::Impl {
   void write_image(const Frame& frame, const std::string& image_path);
   void keep_image(const Frame& frame, const std::string& image_path);
   void keep_record(const FrameRecord& record);
+  /// Does something with run.mcap; the first failure ends that file, not the run.
+  void with_mcap(const std::function<void(McapOutput*)>& work);
+  void write_mcap_events();
   void remove_if_unused() const;
 
   ResourceMeter meter;
@@ -46,6 +49,9 @@ struct RunOutputs::Impl {
   /// Writer of the images; set by begin().
   std::optional<PlaybackWriter> playback;
   std::optional<LiveFiles> live;
+  /// For `mcap`, which begin() makes; it is null without one, or once it could not be written.
+  std::optional<MapCursor> mcap_events;
+  std::unique_ptr<McapOutput> mcap;
   std::atomic<bool> images_failed{false};
   std::string map_note;
   /// Files next to the frames: a disk that is busy holds a write up for 0.1 s. Last member: it ends before

@@ -25,6 +25,7 @@ RunInfo describe_run(const RunRequest& request, const ImageSource& source, const
                 {"mode", request.realtime ? "realtime, two threads" : "synchronous"}};
   if (request.outputs.forget)
     info.notes.emplace_back(kForgottenNote, "written by `edgevo finish` from what --forget has left on disk");
+  if (request.outputs.mcap == McapContent::kImages) info.notes.emplace_back(kMcapNote, kMcapWithImages);
   for (const auto& notice : source_notices(source)) info.notes.push_back(notice);
   if (!info.camera.plumb_bob())
     info.notes.emplace_back("playback_camera",

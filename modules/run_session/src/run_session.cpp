@@ -134,6 +134,8 @@ bool RunSession::after_frame(const ProcessedFrame& frame) {
   ego_mask_ = frame.ego_mask;
   if (!outputs_->add_frame(frame.frame, frame.frame.image_path)) return false;
   outputs_->add_record(frame.record);
+  if (outputs_->wants_views() && !frame.frame.image.empty())
+    outputs_->add_view(frame.frame.time, frame.view());
   for (const auto& event : scale_events_->read()) scaling_->apply(*event);
   ++frames_;
   with_pose_ += frame.record.T_world_cam_live.has_value();

@@ -124,6 +124,12 @@ void RunScaling::add_waiting() {
   waiting_.clear();
 }
 
+std::optional<ScaleEstimate> RunScaling::newest() const {
+  const ScaleSource& first = requested_.list.front();
+  if (first.kind == ScaleSource::Kind::kFactor) return ScaleEstimate{first.value, 0, 0};
+  return live_.newest();
+}
+
 void RunScaling::convert(Run* run) const {
   if (const ScaleSource& only = requested_.list.front(); only.kind == ScaleSource::Kind::kFactor)
     scale_run(only.value, only.text, run);

@@ -50,10 +50,11 @@ void add_car(WorldBuilder& b, const LocalFrame& place) {
   const auto at = [&](double x, double y) {
     return Eigen::Vector2d(x / 512 * kLength - kLength / 2, kTop * (1 - y / 256));
   };
-  Surface& left = b.fit(place.point(-kLength / 2, kHalf, kTop), kLength * place.right, {0, 0, -kTop}, side);
+  // One by one: the next surface moves those before it in memory.
+  b.fit(place.point(-kLength / 2, kHalf, kTop), kLength * place.right, {0, 0, -kTop}, side).is_solid = true;
   Surface& right = b.fit(place.point(kLength / 2, -kHalf, kTop), -kLength * place.right, {0, 0, -kTop}, side);
   right.uv_origin = {1, 0}, right.uv_size = {-1, 1};  // mirrored: its front points the same way
-  left.is_solid = right.is_solid = true;
+  right.is_solid = true;
   const Eigen::Vector2d corners[] = {at(0, 205),  at(0, 118),  at(160, 100), at(212, 10),
                                      at(375, 10), at(440, 92), at(512, 98),  at(512, 205)};
   const int skins[] = {end, paint, glass, paint, glass, paint, end};

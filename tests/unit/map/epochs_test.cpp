@@ -154,7 +154,7 @@ TEST(Epochs, ANewSegmentMovesToWhereFeaturesSeeIt) {
   ConstraintAdded link = drive.link(0, kLost, kFound, 1, 0.02);
   link.constraint.T_from_to.scale = 2;
   epochs.add(link);
-  const EpochPlace& found = epochs.solve(run).epochs[1];
+  const EpochPlace found = epochs.solve(run).epochs[1];
   EXPECT_NEAR(found.T_world_map.scale, 2, 0.02);
   EXPECT_LT((found.T_world_map.rigid.translation() - Eigen::Vector3d(0, 0, kFound)).norm(), 0.1);
   EXPECT_LT(found.T_world_map.rigid.angle(), 0.01);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/mcap_output/mcap_output.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/occupancy/octree_map.h"
 #include "edgevo/report/map_report.h"
@@ -40,6 +41,8 @@ struct ExportContext {
   OnKeyframeMapped on_keyframe_mapped = {};
   /// The run with its doubtful keyframes, where `run` lacks their points; else null.
   const Run* with_doubtful = nullptr;
+  /// Writer of run.mcap, which holds the run so far; null without one.
+  McapOutput* mcap = nullptr;
   /// Names of the files that could not be written so far.
   std::vector<std::string> not_written = {};
 };
@@ -50,7 +53,7 @@ enum class FileKind {
   kText,
   /// Maps for planners, which `edgevo map` can write again.
   kMap,
-  /// Files for MRPT's tools.
+  /// Files for the tools of MRPT and ROS.
   kMrpt,
   /// The report page.
   kReport,

@@ -41,6 +41,10 @@ void export_simplemap(ExportContext* context, const std::string& path);
 void export_scene(ExportContext* context, const std::string& path);
 void export_playback(ExportContext* context, const std::string& path);
 
+// ros_files.cpp
+void export_mcap(ExportContext* context, const std::string& path);
+bool has_mcap(const ExportContext& context);
+
 // pages.cpp
 void export_report(ExportContext* context, const std::string& path);
 void export_summary(ExportContext* context, const std::string& path);

@@ -28,6 +28,9 @@ class OutputFile {
 
   /// Appends bytes. Throws InputError.
   void write(std::string_view bytes);
+  /// Passes what was written so far to the system, so that it survives the death of the program. Throws
+  /// InputError.
+  void flush();
   /// Flushes and closes. Throws InputError. Nothing may be written afterwards.
   void close();
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "edgevo/core/records.h"
+#include "edgevo/mcap_output/mcap_output.h"
 
 namespace edgevo {
 
@@ -32,6 +33,9 @@ struct RecoveryOptions {
   bool include_doubtful = false;
   /// Size of the voxels and cells of the maps, in the unit of the run; nothing: that of the run.
   std::optional<double> resolution;
+  /// Whether run.mcap is written, without images; nothing: if the interrupted run has begun one that has
+  /// none.
+  std::optional<McapContent> mcap;
 };
 
 /// Writes the files that RunOutputs::finish() would have written into the run's own folder and removes the

@@ -25,6 +25,10 @@ namespace edgevo {
 constexpr const char* kRunWindow = "unfinished_window.bin";
 /// Name of the note in RunInfo::notes of a run that ends unfinished (RunOutputs::end_unfinished()).
 constexpr const char* kForgottenNote = "forgotten";
+/// Note in RunInfo::notes of a run whose run.mcap has images.
+constexpr const char* kMcapNote = "run_mcap";
+/// Text of that note.
+constexpr const char* kMcapWithImages = "with images";
 /// Name of the recovery log in the run's folder.
 constexpr const char* kRecoveryLog = "unfinished_run.bin";
 

@@ -22,9 +22,11 @@
 #include <string>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/error.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
 #include "edgevo/map/map_log.h"
+#include "edgevo/mcap_output/mcap_output.h"
 #include "edgevo/report/run_info.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_maps.h"
@@ -45,6 +47,8 @@ struct OutputOptions {
   bool own_thread = false;
   /// Copy images that are on disk already, instead of linking to them.
   bool copy_images = false;
+  /// What run.mcap holds; it needs keep_recovery_log().
+  McapContent mcap = McapContent::kOff;
   /// Put points of doubtful keyframes (KeyframeRecord::is_doubtful) into the maps, too.
   bool include_doubtful = false;
 };
@@ -72,6 +76,12 @@ class RunOutputs {
   /// trajectory_live_tum.txt and frames.csv. Call after add_frame().
   void add_record(const FrameRecord& record);
 
+  /// Writes the view of a frame to run.mcap, if that has images. Call after add_record(), where
+  /// wants_views().
+  void add_view(Timestamp time, const FrameView& view);
+  /// Whether add_view() uses what it is given.
+  bool wants_views() const;
+
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).
   void finish(const Run& run, const RunInfo& info) { finish(run, info, false); }
@@ -89,6 +99,8 @@ class RunOutputs {
   void finish(const Run& run, const RunInfo& info, bool keep_log);
   /// Takes over the folder of an interrupted run, with images of the frames up to `last_frame`.
   void adopt(int last_frame);
+  /// Takes over run.mcap, written up to its end; or null, and why there is none.
+  void adopt(std::unique_ptr<McapOutput> mcap, const std::optional<InputError>& failure);
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -29,6 +29,9 @@ class RunScaling {
   /// Follows the run: all its events, in their order. Does nothing unless the scale is measured along the
   /// run.
   void apply(const MapEvent& event);
+  /// The newest estimate of metres per unit of the live poses: the given factor, or what was measured so far;
+  /// nothing without one. A segment that has none yet has that of the one before.
+  std::optional<ScaleEstimate> newest() const;
   /// The tracks of the sensors that the scale is measured from; empty if none is needed.
   const VehicleTracks& tracks() const { return tracks_; }
   /// Converts the finished run to metres if that was requested and is possible; else Run::scale.problem says
