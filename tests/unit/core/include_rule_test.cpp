@@ -15,45 +15,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const std::vector<std::string> kOrder{"core",
-                                      "files",
-                                      "opencv_bridge",
-                                      "symphony_lake",
-                                      "edges",
-                                      "detectors",
-                                      "alignment",
-                                      "segmentation",
-                                      "confidence",
-                                      "association",
-                                      "bundle_adjustment",
-                                      "map",
-                                      "features",
-                                      "edge_map",
-                                      "self_calibration",
-                                      "mapping",
-                                      "tracking",
-                                      "odometry",
-                                      "run_quality",
-                                      "scale",
-                                      "occupancy",
-                                      "mrpt_bridge",
-                                      "visp_bridge",
-                                      "datasets",
-                                      "calibration",
-                                      "simulation",
-                                      "sequence_output",
-                                      "evaluation",
-                                      "frame_evaluation",
-                                      "facade",
-                                      "study",
-                                      "run_loop",
-                                      "report",
-                                      "results",
-                                      "run_session",
-                                      "benchmark",
-                                      "servo",
-                                      "viewer",
-                                      "mrpt_plugin"};
+const std::vector<std::string> kOrder{
+    "core",      "files",       "opencv_bridge", "symphony_lake",    "recordings",  "edges",
+    "detectors", "alignment",   "segmentation",  "confidence",       "association", "bundle_adjustment",
+    "map",       "features",    "edge_map",      "self_calibration", "mapping",     "tracking",
+    "odometry",  "run_quality", "scale",         "occupancy",        "mrpt_bridge", "visp_bridge",
+    "datasets",  "calibration", "simulation",    "sequence_output",  "evaluation",  "frame_evaluation",
+    "facade",    "study",       "run_loop",      "report",           "results",     "run_session",
+    "benchmark", "servo",       "viewer",        "mrpt_plugin"};
 
 std::vector<std::string> broken(const std::string& path, const std::string& text) {
   return broken_include_rules({path, text}, kOrder);
