@@ -3,13 +3,15 @@
 // Positions of the vehicle measured by another sensor (wheel odometry, GPS, motion capture): the metric
 // reference for a monocular run.
 #include <Eigen/Core>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "edgevo/core/timestamp.h"
 
 namespace edgevo {
 
-/// Sensor of a rawlog: wheel odometry, GPS, or a robot pose (such as motion capture).
+/// Sensor of a recording: wheel odometry, GPS, or a robot pose (such as motion capture).
 enum class VehicleSensor { kOdometry, kGps, kRobotPose };
 
 /// One measured position.
@@ -28,5 +30,8 @@ struct VehicleTrack {
   /// (x forward, y left, z up), metres.
   Eigen::Vector3d sensor_on_vehicle = Eigen::Vector3d::Zero();
 };
+
+/// The longest of the tracks by name, in time order, each time once, from its first position on.
+VehicleTrack longest_track(std::map<std::string, VehicleTrack> tracks);
 
 }  // namespace edgevo
