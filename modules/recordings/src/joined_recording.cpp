@@ -61,10 +61,13 @@ class JoinedRecording : public Recording {
     messages = messages && topic.messages ? std::make_optional(*messages + *topic.messages) : std::nullopt;
   }
   void unpack(RecordedMessage* message) {
-    if (!facts_.has_packed_messages || !is_zstd(message->bytes)) return;
-    unpack_zstd(message->bytes, selection_.head_bytes, "message of " + topics_[message->topic].name,
-                &unpacked_);
-    message->bytes = unpacked_;
+    if (!facts_.has_packed_messages) return;
+    if (is_zstd(message->bytes)) {
+      unpack_zstd(message->bytes, selection_.head_bytes, "message of " + topics_[message->topic].name,
+                  &unpacked_);
+      message->bytes = unpacked_;
+    }
+    message->bytes = message->bytes.substr(0, selection_.head_bytes);
   }
   void select_in_part() {
     MessageSelection inner = selection_;

@@ -79,6 +79,7 @@ class McapFile : public ChunkedRecording {
 
  private:
   void check_magic();
+  bool ends_with_magic();
   bool read_summary();
   uint64_t summary_begin();
   void check_summary(uint64_t begin, uint64_t end);
@@ -102,12 +103,16 @@ void McapFile::check_magic() {
   throw InputError(file_.path(), begin.empty() ? "is empty" : "is not an MCAP file", "give a recording");
 }
 
+bool McapFile::ends_with_magic() {
+  return file_.size() >= kMagic.size() && file_.read(file_.size() - kMagic.size(), kMagic.size()) == kMagic;
+}
+
 // 0: no footer, or none that names a summary.
 uint64_t McapFile::summary_begin() {
   const uint64_t footer = kRecordHead + kFooterContents + kMagic.size();
-  if (file_.size() < footer + kMagic.size()) return 0;
+  if (file_.size() < footer + kMagic.size() || !ends_with_magic()) return 0;
   const std::string end(file_.read(file_.size() - footer, footer));
-  if (end.size() != footer || std::string_view(end).substr(footer - kMagic.size()) != kMagic) return 0;
+  if (end.size() != footer) return 0;
   Contents contents(end, file_.path());
   if (contents.number<uint8_t>() != kFooter || contents.number<uint64_t>() != kFooterContents) return 0;
   return contents.number<uint64_t>();
@@ -201,6 +206,8 @@ void McapFile::scan() {
     }
   } catch (const DamagedPart&) {
   }
+  if (is_closed && missing_.empty() && !ends_with_magic())
+    missing_ = "cut off in its index; its messages are whole";
   if (!is_closed) set_cut_off(end_of_whole, chunks_.empty() || !chunks_.back().is_bare ? "chunk" : "message");
 }
 

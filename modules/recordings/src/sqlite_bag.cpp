@@ -10,6 +10,7 @@
 #include "chunked_recording.h"
 #include "random_file.h"
 #include "unpack.h"
+#include "whole_pages.h"
 
 namespace edgevo {
 namespace {
@@ -17,25 +18,12 @@ namespace {
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-// A path as SQLite's URI has it.
-std::string uri_of(const std::string& path, bool has_log) {
-  std::string uri = "file:";
-  for (const char c : std::filesystem::absolute(path).string())
-    if (c == '%' || c == '?' || c == '#') {
-      char escaped[4];
-      std::snprintf(escaped, sizeof escaped, "%%%02X", unsigned(uint8_t(c)));
-      uri += escaped;
-    } else {
-      uri += c;
-    }
-  // `immutable` needs no files beside it; the log of a recorder that was killed holds its last messages.
-  return uri + (has_log ? "?mode=ro" : "?mode=ro&immutable=1");
-}
-
-Database open_database(const std::string& path, bool has_log) {
+// The log beside a file whose recorder was killed holds its last messages, and needs SQLite's own access.
+Database open_database(const std::string& path) {
+  const bool has_log = std::filesystem::exists(path + "-wal");
   sqlite3* opened = nullptr;
-  const int result = sqlite3_open_v2(uri_of(path, has_log).c_str(), &opened,
-                                     SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
+  const int result =
+      sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, has_log ? nullptr : whole_pages_vfs());
   Database database(opened, sqlite3_close);
   if (result != SQLITE_OK)
     throw InputError(path, "cannot be read by SQLite", "check the file and its permissions");
@@ -54,8 +42,7 @@ std::string text_in(sqlite3_stmt* row, int column) {
 
 class SqliteBag : public Recording {
  public:
-  explicit SqliteBag(const std::string& path)
-      : path_(path), database_(open_database(path, std::filesystem::exists(path + "-wal"))) {
+  explicit SqliteBag(const std::string& path) : path_(path), database_(open_database(path)) {
     check_magic();
     read_topics();
     if (missing_.empty()) count_messages();
