@@ -15,7 +15,7 @@ constexpr int kIsGray = -1;
 struct Encoding {
   const char* name;
   int type;     // OpenCV's, of the pixels
-  int to_gray;  // cv::ColorConversionCodes
+  int convert;  // cv::ColorConversionCodes to gray; of a Bayer pattern to colour
 };
 
 // OpenCV names a Bayer pattern by its second row from the second column on.
@@ -34,19 +34,21 @@ constexpr Encoding kEncodings[] = {
     {"bgr16", CV_16UC3, cv::COLOR_BGR2GRAY},
     {"rgba16", CV_16UC4, cv::COLOR_RGBA2GRAY},
     {"bgra16", CV_16UC4, cv::COLOR_BGRA2GRAY},
-    {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2GRAY},
-    {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2GRAY},
-    {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2GRAY},
-    {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2GRAY},
-    {"bayer_rggb16", CV_16UC1, cv::COLOR_BayerBG2GRAY},
-    {"bayer_bggr16", CV_16UC1, cv::COLOR_BayerRG2GRAY},
-    {"bayer_gbrg16", CV_16UC1, cv::COLOR_BayerGR2GRAY},
-    {"bayer_grbg16", CV_16UC1, cv::COLOR_BayerGB2GRAY},
+    {"bayer_rggb8", CV_8UC1, cv::COLOR_BayerBG2BGR},
+    {"bayer_bggr8", CV_8UC1, cv::COLOR_BayerRG2BGR},
+    {"bayer_gbrg8", CV_8UC1, cv::COLOR_BayerGR2BGR},
+    {"bayer_grbg8", CV_8UC1, cv::COLOR_BayerGB2BGR},
+    {"bayer_rggb16", CV_16UC1, cv::COLOR_BayerBG2BGR},
+    {"bayer_bggr16", CV_16UC1, cv::COLOR_BayerRG2BGR},
+    {"bayer_gbrg16", CV_16UC1, cv::COLOR_BayerGR2BGR},
+    {"bayer_grbg16", CV_16UC1, cv::COLOR_BayerGB2BGR},
     {"yuv422", CV_8UC2, cv::COLOR_YUV2GRAY_UYVY},
     {"uyvy", CV_8UC2, cv::COLOR_YUV2GRAY_UYVY},
     {"yuv422_yuy2", CV_8UC2, cv::COLOR_YUV2GRAY_YUY2},
     {"yuyv", CV_8UC2, cv::COLOR_YUV2GRAY_YUY2},
 };
+
+bool is_bayer(const Encoding& encoding) { return std::string(encoding.name).rfind("bayer", 0) == 0; }
 
 const Encoding& encoding_of(const std::string& name, const std::string& where) {
   for (const Encoding& encoding : kEncodings)
@@ -97,7 +99,8 @@ GrayImage gray_image(const ImageMessage& message, const std::string& where) {
   const Encoding& encoding = encoding_of(message.encoding, where);
   const cv::Mat pixels = pixels_of(message, encoding.type, where);
   cv::Mat gray = pixels;
-  if (encoding.to_gray != kIsGray) cv::cvtColor(pixels, gray, encoding.to_gray);
+  if (encoding.convert != kIsGray) cv::cvtColor(pixels, gray, encoding.convert);
+  if (is_bayer(encoding)) cv::cvtColor(cv::Mat(gray), gray, cv::COLOR_BGR2GRAY);
   GrayImage image{message.width, message.height, {}};
   if (gray.depth() == CV_16U)
     image.values.assign(gray.ptr<uint16_t>(), gray.ptr<uint16_t>() + gray.total());
