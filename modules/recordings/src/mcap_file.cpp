@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "chunked_recording.h"
+#include "printable.h"
 #include "unpack.h"
 
 namespace edgevo {
@@ -155,13 +156,13 @@ void McapFile::read_summary_records(uint64_t begin, uint64_t end) {
 void McapFile::add_definition(Op op, Contents contents) {
   const auto id = contents.number<uint16_t>();
   if (op == kSchema) {
-    schemas_[id] = contents.text();
+    schemas_[id] = printable(contents.text());
     return;
   }
   const auto schema = schemas_.find(contents.number<uint16_t>());
   RecordedTopic topic;
-  topic.name = contents.text();
-  topic.encoding = contents.text();
+  topic.name = printable(contents.text());
+  topic.encoding = printable(contents.text());
   topic.serialization = serialization_of(topic.encoding);
   topic.type = schema == schemas_.end() ? "no schema" : ros1_type(schema->second);
   add_channel(id, topic);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "message_reader.h"
+#include "printable.h"
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ std::string_view MessageReader::take(size_t length) {
 std::string MessageReader::text() {
   std::string text(take(number<uint32_t>()));
   if (is_cdr_ && !text.empty() && text.back() == '\0') text.pop_back();
-  return text;
+  return printable(text);
 }
 
 std::string_view MessageReader::bytes() { return take(number<uint32_t>()); }

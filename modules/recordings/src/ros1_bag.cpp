@@ -2,6 +2,7 @@
 #include "ros1_bag.h"
 
 #include "chunked_recording.h"
+#include "printable.h"
 #include "unpack.h"
 
 namespace edgevo {
@@ -90,7 +91,7 @@ void Ros1Bag::check_magic() {
   if (begin == kMagic) return;
   if (begin.substr(0, 9) == "#ROSBAG V")
     throw InputError(file_.path(),
-                     "a ROS bag of version " + std::string(begin.substr(9, 3)) + ", which is not read",
+                     "a ROS bag of version " + printable(begin.substr(9, 3)) + ", which is not read",
                      "convert it with `rosbag migrate`");
   throw InputError(file_.path(), begin.empty() ? "is empty" : "is not a ROS 1 bag",
                    "its first line should be #ROSBAG V2.0");
@@ -101,7 +102,8 @@ uint64_t Ros1Bag::read_bag_header(FileStream* records) try {
   const Fields header = read_header(records);
   if (header.op() != kBagHeader) throw DamagedPart(file_.path(), "does not begin with a bag header", "");
   if (!header.text("encryptor").empty())
-    throw InputError(file_.path(), "is encrypted (" + header.text("encryptor") + ")", "decrypt it");
+    throw InputError(file_.path(), "is encrypted (" + printable(header.text("encryptor")) + ")",
+                     "decrypt it");
   records->skip(records->number<uint32_t>());
   return header.number<uint64_t>("index_pos");
 } catch (const DamagedPart&) {
@@ -158,8 +160,8 @@ void Ros1Bag::scan(uint64_t first, uint64_t index_at) {
 void Ros1Bag::add_connection(const Fields& header, std::string_view data) {
   const Fields connection(data, file_.path());
   RecordedTopic topic;
-  topic.name = header.text("topic");
-  topic.type = connection.text("type");
+  topic.name = printable(header.text("topic"));
+  topic.type = printable(connection.text("type"));
   topic.serialization = Serialization::kRos1;
   topic.encoding = "ros1";
   add_channel(header.number<uint32_t>("conn"), topic);

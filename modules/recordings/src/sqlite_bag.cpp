@@ -8,6 +8,7 @@
 #include <map>
 
 #include "chunked_recording.h"
+#include "printable.h"
 #include "random_file.h"
 #include "unpack.h"
 #include "whole_pages.h"
@@ -37,7 +38,7 @@ Database open_database(const std::string& path) {
 
 std::string text_in(sqlite3_stmt* row, int column) {
   const auto* text = sqlite3_column_text(row, column);
-  return text ? reinterpret_cast<const char*>(text) : "";
+  return text ? printable(reinterpret_cast<const char*>(text)) : "";
 }
 
 class SqliteBag : public Recording {

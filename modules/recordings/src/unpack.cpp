@@ -10,6 +10,7 @@
 
 #include "edgevo/core/output_file.h"
 #include "edgevo/recordings/recording.h"
+#include "printable.h"
 #include "random_file.h"
 
 namespace edgevo {
@@ -88,7 +89,7 @@ Compression compression_of(const std::string& name, const std::string& where) {
   if (name == "bz2") return Compression::kBz2;
   if (name == "lz4") return Compression::kLz4;
   if (name == "zstd") return Compression::kZstd;
-  throw InputError(where, "the compression '" + name + "' is not read",
+  throw InputError(where, "the compression '" + printable(name) + "' is not read",
                    "compress it by lz4 or zstd, or not at all");
 }
 
