@@ -130,13 +130,13 @@ std::optional<Camera> camera_of_info(const CameraInfoMessage& info, bool is_rect
 std::optional<FoundCameraInfo> find_camera_info(Recording* recording, const ImageTopic& image,
                                                 const std::string& path) {
   const auto& topics = recording->topics();
-  const std::string beside = parent(base_topic(image)) + "camera_info";
+  const std::string sibling = parent(base_topic(image)) + "camera_info";
   std::vector<FoundCameraInfo> of_frame;
   for (size_t i = 0; i < topics.size(); ++i) {
     if (topics[i].type != kCameraInfo || topics[i].messages.value_or(1) == 0) continue;
     const auto info = first_info(recording, i, path);
     if (!info) continue;
-    if (topics[i].name == beside) return FoundCameraInfo{topics[i].name, *info};
+    if (topics[i].name == sibling) return FoundCameraInfo{topics[i].name, *info};
     if (info->header.frame == image.frame) of_frame.push_back({topics[i].name, *info});
   }
   return of_frame.size() == 1 ? std::make_optional(of_frame.front()) : std::nullopt;

@@ -23,7 +23,7 @@ std::optional<Camera> camera_of_info(const CameraInfoMessage& info, bool is_rect
 /// Whether the name of a topic says that its images are rectified: image_rect, image_rect_color.
 bool names_rectified(const std::string& topic);
 
-/// CameraInfo of a topic with images: the topic camera_info beside it, else the only one of the same frame.
+/// CameraInfo of a topic with images: the topic camera_info next to it, else the only one of the same frame.
 struct FoundCameraInfo {
   std::string topic;
   CameraInfoMessage message;

@@ -149,7 +149,7 @@ StaticFrames read_static_frames(Recording* recording) {
       const RecordedTopic& topic = recording->topics()[message->topic];
       for (const TransformMessage& t : decode_transforms(message->bytes, topic.serialization, topic.name))
         frames.add(t);
-    } catch (const InputError&) {  // a damaged one is left out
+    } catch (const InputError&) {  // a damaged one is skipped
     }
   return frames;
 }

@@ -30,7 +30,7 @@ struct SensorContext {
 };
 
 /// All readings: nav_msgs/Odometry, sensor_msgs/NavSatFix with a fix, sensor_msgs/Imu,
-/// geometry_msgs/PoseStamped and PoseWithCovarianceStamped. Damaged messages and parts are left out. Opens
+/// geometry_msgs/PoseStamped and PoseWithCovarianceStamped. Damaged messages and parts are skipped. Opens
 /// the recording once more.
 SensorReadings read_sensors(const SensorContext& context);
 

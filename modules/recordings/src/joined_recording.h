@@ -10,7 +10,7 @@
 
 namespace edgevo {
 
-/// What is known of the recording beside its files.
+/// What is known of the recording from elsewhere.
 struct JoinedFacts {
   /// Kind in words.
   std::string kind;

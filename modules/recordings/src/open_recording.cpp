@@ -62,7 +62,7 @@ std::unique_ptr<Recording> open_file(const std::string& path) {
   return fs::path(path).extension() == ".zstd" ? open_packed(path) : open_plain(path);
 }
 
-// Where a file of metadata.yaml is: older recorders named the folder, too, and some leave out ".zstd".
+// Where a file of metadata.yaml is: older recorders named the folder, too, and some omit ".zstd".
 std::string place_of(const std::string& folder, const std::string& name) {
   const fs::path root = folder, file = fs::path(name).filename();
   for (const fs::path& path :
@@ -73,7 +73,7 @@ std::string place_of(const std::string& folder, const std::string& name) {
   return (root / name).string();
 }
 
-// The files of a folder. One of several that cannot be read is left out, and `missing` says so.
+// The files of a folder. One of several that cannot be read is skipped, and `missing` says so.
 std::vector<std::unique_ptr<Recording>> open_files(const std::string& folder,
                                                    const std::vector<std::string>& names,
                                                    std::string* missing) {
@@ -82,7 +82,7 @@ std::vector<std::unique_ptr<Recording>> open_files(const std::string& folder,
       parts.push_back(open_file(place_of(folder, name)));
     } catch (const InputError& e) {
       if (names.size() == 1) throw;
-      *missing += (missing->empty() ? "" : "; ") + name + " is left out (" + e.what() + ")";
+      *missing += (missing->empty() ? "" : "; ") + name + " is skipped (" + e.what() + ")";
     }
   if (parts.empty()) throw InputError(folder, missing->empty() ? "has no .db3 or .mcap file" : *missing, "");
   return parts;

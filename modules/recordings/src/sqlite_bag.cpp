@@ -19,7 +19,7 @@ namespace {
 using Database = std::unique_ptr<sqlite3, int (*)(sqlite3*)>;
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
-// The log beside a file whose recorder was killed holds its last messages, and needs SQLite's own access.
+// The log next to a file whose recorder was killed holds its last messages, and needs SQLite's own access.
 Database open_database(const std::string& path) {
   const bool has_log = std::filesystem::exists(path + "-wal");
   sqlite3* opened = nullptr;

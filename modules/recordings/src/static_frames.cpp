@@ -9,18 +9,18 @@ void StaticFrames::add(const TransformMessage& transform) {
 }
 
 // Stops where a tree that is none would lead round in circles.
-StaticFrames::Place StaticFrames::place_of(const std::string& frame) const {
-  Place place{frame, SE3()};
+StaticFrames::RootedFrame StaticFrames::rooted(const std::string& frame) const {
+  RootedFrame found{frame, SE3()};
   for (size_t steps = 0; steps < links_.size(); ++steps) {
-    const auto link = links_.find(place.root);
+    const auto link = links_.find(found.root);
     if (link == links_.end()) break;
-    place = {link->second.parent, link->second.T_parent_child * place.T_root_frame};
+    found = {link->second.parent, link->second.T_parent_child * found.T_root_frame};
   }
-  return place;
+  return found;
 }
 
 std::optional<SE3> StaticFrames::between(const std::string& parent, const std::string& child) const {
-  const Place a = place_of(parent), b = place_of(child);
+  const RootedFrame a = rooted(parent), b = rooted(child);
   if (a.root != b.root) return std::nullopt;
   return a.T_root_frame.inverse() * b.T_root_frame;
 }
@@ -29,7 +29,7 @@ std::string StaticFrames::vehicle_frame(const std::string& sensor) const {
   if (links_.count(sensor) == 0) return {};
   for (const char* name : {"base_link", "base_footprint"})
     if (between(name, sensor)) return name;
-  return place_of(sensor).root;
+  return rooted(sensor).root;
 }
 
 }  // namespace edgevo

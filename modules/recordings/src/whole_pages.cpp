@@ -26,7 +26,7 @@ WholePagesFile* of(sqlite3_file* file) { return reinterpret_cast<WholePagesFile*
 
 int close_file(sqlite3_file* file) { return close(of(file)->file), SQLITE_OK; }
 
-// What lies beyond the end is zero, as SQLite asks for.
+// What lies beyond the end is zero, as SQLite requires.
 int read_file(sqlite3_file* file, void* bytes, int count, sqlite3_int64 at) {
   const sqlite3_int64 there = std::clamp(of(file)->size - at, sqlite3_int64(0), sqlite3_int64(count));
   ssize_t done = 0;
@@ -78,7 +78,7 @@ int open_file(sqlite3_vfs*, const char* path, sqlite3_file* opened, int flags, i
   return SQLITE_OK;
 }
 
-// No journal is beside it: nothing changes it.
+// No other file belongs to it: nothing changes it.
 int is_there(sqlite3_vfs*, const char*, int, int* answer) { return *answer = 0, SQLITE_OK; }
 
 sqlite3_vfs make_vfs() {

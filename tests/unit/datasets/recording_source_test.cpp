@@ -5,6 +5,7 @@
 #include "camera_change.h"
 #include "edgevo/datasets/describe.h"
 #include "edgevo/datasets/open_source.h"
+#include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "recorded_camera.h"
@@ -178,10 +179,12 @@ TEST(RecordingSource, WithoutImagesItsTopicsAreNamed) {
               HasSubstr("no images in it; its topics are /cam/camera_info (sensor_msgs/CameraInfo, 1)"));
 }
 
-TEST(RecordingSource, WithoutCalibrationOneIsAskedFor) {
+TEST(RecordingSource, WithoutCalibrationOneIsRequired) {
   Bag bag;
   bag.add_images("/cam/image_raw");
-  bag.add_info("/cam/camera_info", {24, 16});
+  TestCameraInfo uncalibrated;
+  uncalibrated.width = 24, uncalibrated.height = 16;
+  bag.add_info("/cam/camera_info", uncalibrated);
   SourceOptions options = bag.written();
   EXPECT_THAT(error_of([&] { open_source(options); }),
               AllOf(HasSubstr("/cam/camera_info says that the camera is not calibrated (K is zero)"),
@@ -231,7 +234,7 @@ TEST(RecordingSource, TheMountIsThatOfStaticFrames) {
   EXPECT_THAT(decision(*open_source(body.written()), "frames"), HasSubstr("the camera looks up"));
 }
 
-// Odometry, fixes, poses and an IMU beside the images.
+// Odometry, fixes, poses and an IMU next to the images.
 void add_sensors(Bag* bag) {
   const size_t odometry = bag->topic("/odom", "nav_msgs/Odometry"),
                fix = bag->topic("/fix", "sensor_msgs/NavSatFix");

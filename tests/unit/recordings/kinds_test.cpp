@@ -44,7 +44,7 @@ TEST(Kinds, ReadHeadsAlone) {
   }
 }
 
-TEST(Kinds, TellRecordingsFromOtherFolders) {
+TEST(Kinds, AreRecognised) {
   const TempFolder folder;
   EXPECT_TRUE(is_recording("x.bag"));
   EXPECT_TRUE(is_recording("x.mcap.zstd"));
@@ -73,7 +73,7 @@ void expect_beginning(const std::string& path, const MadeRecording& made, int* o
   }
 }
 
-TEST(Kinds, CutOffAnywhereGiveTheirBeginning) {
+TEST(Kinds, OfAnyLengthGiveTheirBeginning) {
   constexpr int kCuts = 100;
   for (const RecordingKind& kind : recording_kinds()) {
     if (kind.name.find("folder") != std::string::npos || kind.name.find("zstd ") != std::string::npos)

@@ -27,11 +27,11 @@ class StaticFrames {
     std::string parent;
     SE3 T_parent_child;
   };
-  struct Place {
+  struct RootedFrame {
     std::string root;
     SE3 T_root_frame;
   };
-  Place place_of(const std::string& frame) const;
+  RootedFrame rooted(const std::string& frame) const;
 
   std::map<std::string, Link> links_;  // by child
 };
