@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "recorded_sensors.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -73,6 +74,10 @@ const std::map<std::string, Decode>& decoders() {
   return kDecoders;
 }
 
+bool is_sensor(const RecordedTopic& topic) {
+  return decoders().count(topic.type) > 0 && topic.serialization != Serialization::kOther;
+}
+
 class SensorReader {
  public:
   explicit SensorReader(const SensorContext& context)
@@ -83,9 +88,7 @@ class SensorReader {
     const auto& topics = recording_->topics();
     for (size_t i = 0; i < topics.size(); ++i) {
       const bool is_image = topics[i].name == context_.image_topic;
-      const bool is_sensor =
-          decoders().count(topics[i].type) > 0 && topics[i].serialization != Serialization::kOther;
-      if (is_image || is_sensor) selection.topics.push_back(i);
+      if (is_image || is_sensor(topics[i])) selection.topics.push_back(i);
     }
     recording_->select(selection);
   }
@@ -152,6 +155,10 @@ StaticFrames read_static_frames(Recording* recording) {
     } catch (const InputError&) {  // a damaged one is skipped
     }
   return frames;
+}
+
+bool has_sensors(const Recording& recording) {
+  return std::any_of(recording.topics().begin(), recording.topics().end(), is_sensor);
 }
 
 SensorReadings read_sensors(const SensorContext& context) {

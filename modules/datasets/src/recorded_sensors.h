@@ -29,6 +29,9 @@ struct SensorContext {
   std::vector<Timestamp> image_times;
 };
 
+/// Whether the recording has messages of sensors.
+bool has_sensors(const Recording& recording);
+
 /// All readings: nav_msgs/Odometry, sensor_msgs/NavSatFix with a fix, sensor_msgs/Imu,
 /// geometry_msgs/PoseStamped and PoseWithCovarianceStamped. Damaged messages and parts are skipped. Opens
 /// the recording once more.

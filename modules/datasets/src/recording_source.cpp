@@ -124,9 +124,11 @@ class RecordingSource : public ImageSource {
   std::string kind() const override { return recording_->kind(); }
   std::string label() const override { return image_.name; }
   VehicleTrack vehicle_track(VehicleSensor sensor) const override {
-    return read_recorded_track(sensor_context(), sensor);
+    return has_sensors(*recording_) ? read_recorded_track(sensor_context(), sensor) : VehicleTrack();
   }
-  SensorReadings sensor_readings() const override { return read_sensors(sensor_context()); }
+  SensorReadings sensor_readings() const override {
+    return has_sensors(*recording_) ? read_sensors(sensor_context()) : SensorReadings();
+  }
   std::vector<std::pair<std::string, std::string>> details() const override;
   Decisions decisions() const override { return decisions_; }
   std::vector<Timestamp> times() const override;
