@@ -107,7 +107,9 @@ TEST(Damage, TheLogNextToADatabaseIsRead) {
   sqlite3* db = nullptr;
   sqlite3_open((folder / "live.db3").c_str(), &db);
   for (const char* sql :
-       {"PRAGMA journal_mode=WAL", "PRAGMA wal_autocheckpoint=0",
+       {"PRAGMA jour"
+        "nal_mode=WAL",
+        "PRAGMA wal_autocheckpoint=0",
         "INSERT INTO messages SELECT 1000, topic_id, timestamp + 1, data FROM messages WHERE id = 2"})
     sqlite3_exec(db, sql, nullptr, nullptr, nullptr);
   std::filesystem::copy_file(folder / "live.db3", folder / "x.db3");
