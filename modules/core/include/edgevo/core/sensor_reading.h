@@ -13,26 +13,31 @@
 
 namespace edgevo {
 
-/// Wheel odometry: pose of the vehicle in any fixed frame (metres), velocities in its own axes (m/s, rad/s).
+/// Wheel odometry.
 struct OdometryReading {
+  /// Pose of the vehicle in any fixed frame, metres.
   SE3 T_odom_vehicle;
+  /// Velocities in the vehicle's axes, m/s and rad/s.
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = Eigen::Vector3d::Zero();
 };
 
-/// Satellite navigation: WGS84, degrees and metres above the ellipsoid.
+/// Satellite navigation.
 struct GpsReading {
+  /// WGS84, degrees and metres above the ellipsoid.
   double latitude_deg = 0, longitude_deg = 0, height_m = 0;
 };
 
-/// Inertial measurement in the axes of the sensor: rad/s, m/s^2, and the rotation to the world if there is
-/// one.
+/// Inertial measurement.
 struct ImuReading {
+  /// Rotation from the sensor to the world, if there is one.
   std::optional<Eigen::Quaterniond> R_world_imu;
+  /// rad/s and m/s^2 (gravity included), in the axes of the sensor.
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero(), acceleration = Eigen::Vector3d::Zero();
 };
 
-/// Pose of the vehicle from elsewhere, such as motion capture, metres.
+/// Pose of the vehicle from elsewhere, such as motion capture.
 struct PoseReading {
+  /// In any fixed frame, metres.
   SE3 T_map_vehicle;
 };
 

@@ -25,6 +25,7 @@ struct MessageHeader {
 
 /// sensor_msgs/Image. The pixels point into the message.
 struct ImageMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Size, pixels.
   int width = 0, height = 0;
@@ -34,11 +35,13 @@ struct ImageMessage {
   bool is_big_endian = false;
   /// Bytes from row to row.
   uint32_t step = 0;
+  /// Rows of pixels.
   std::string_view pixels;
 };
 
 /// sensor_msgs/CompressedImage. The file points into the message.
 struct CompressedImageMessage {
+  /// Time and frame.
   MessageHeader header;
   /// "jpeg", "rgb8; png compressed bgr8", "16UC1; compressedDepth png", ...
   std::string format;
@@ -48,6 +51,7 @@ struct CompressedImageMessage {
 
 /// sensor_msgs/CameraInfo.
 struct CameraInfoMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Size of the images that the calibration is for, pixels, before roi and binning.
   int width = 0, height = 0;
@@ -55,8 +59,9 @@ struct CameraInfoMessage {
   std::string distortion_model;
   /// Coefficients of the lens.
   std::vector<double> D;
-  /// Camera matrix, row by row; zeros: not calibrated. Projection matrix of the rectified image.
+  /// Camera matrix, row by row; zeros: not calibrated.
   std::array<double, 9> K{};
+  /// Projection matrix of the rectified image, row by row.
   std::array<double, 12> P{};
   /// Pixels that were added up, per side; 0 stands for 1.
   uint32_t binning_x = 0, binning_y = 0;
@@ -66,6 +71,7 @@ struct CameraInfoMessage {
 
 /// sensor_msgs/Imu.
 struct ImuMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Rotation from the sensor to the world; zeros: not measured.
   Eigen::Vector4d orientation_xyzw = Eigen::Vector4d::Zero();
@@ -75,6 +81,7 @@ struct ImuMessage {
 
 /// sensor_msgs/NavSatFix.
 struct NavSatFixMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Whether there was a fix.
   bool has_fix = false;
@@ -84,6 +91,7 @@ struct NavSatFixMessage {
 
 /// nav_msgs/Odometry.
 struct OdometryMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Frame whose pose it is.
   std::string child_frame;
@@ -95,6 +103,7 @@ struct OdometryMessage {
 
 /// geometry_msgs/PoseStamped, and PoseWithCovarianceStamped without its covariance.
 struct PoseMessage {
+  /// Time and frame.
   MessageHeader header;
   /// Pose in the frame of the header, metres.
   SE3 pose;
@@ -102,7 +111,7 @@ struct PoseMessage {
 
 /// One of tf2_msgs/TFMessage.
 struct TransformMessage {
-  /// The frame that `T` maps to.
+  /// Time, and the frame that `T` maps to.
   MessageHeader header;
   /// The frame that it maps from.
   std::string child_frame;
@@ -110,19 +119,26 @@ struct TransformMessage {
   SE3 T;
 };
 
-/// Decode a whole message. Throw InputError, opened by `where`: it is shorter than it says, or of another
-/// serialization.
+// All throw InputError, opened by `where`: the message is shorter than it says, or of another serialization.
+
+/// Decodes sensor_msgs/Image.
 ImageMessage decode_image(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes sensor_msgs/CompressedImage.
 CompressedImageMessage decode_compressed_image(std::string_view bytes, Serialization,
                                                const std::string& where);
+/// Decodes sensor_msgs/CameraInfo.
 CameraInfoMessage decode_camera_info(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes sensor_msgs/Imu.
 ImuMessage decode_imu(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes sensor_msgs/NavSatFix.
 NavSatFixMessage decode_nav_sat_fix(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes nav_msgs/Odometry.
 OdometryMessage decode_odometry(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes geometry_msgs/PoseStamped or PoseWithCovarianceStamped.
 PoseMessage decode_pose(std::string_view bytes, Serialization, const std::string& where);
+/// Decodes tf2_msgs/TFMessage.
 std::vector<TransformMessage> decode_transforms(std::string_view bytes, Serialization,
                                                 const std::string& where);
-
 /// Decodes the header that a message begins with; `bytes` may end behind it.
 MessageHeader decode_header(std::string_view bytes, Serialization, const std::string& where);
 /// Bytes that hold the header of a message whose frame has a name of usual length.

@@ -36,8 +36,9 @@ struct RecordedTopic {
   std::string name;
   /// Type of its messages in the form of ROS 1, "sensor_msgs/Image", for ROS 2 as well.
   std::string type;
-  /// Layout of its messages, and its name in the file: "ros1", "cdr", "protobuf".
+  /// Layout of its messages.
   Serialization serialization = Serialization::kOther;
+  /// Its name in the file: "ros1", "cdr", "protobuf".
   std::string encoding;
   /// Number of messages; nullopt if the file has to be read to count them.
   std::optional<int64_t> messages;
