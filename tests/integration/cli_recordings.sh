@@ -40,7 +40,7 @@ complains "nothing whole in it\|has no whole bag header" "$edgevo" info "$(head 
 # Scale from the sensors of the recording, and the rawlog with them.
 "$write" "$scenes/street" bag mono8 sensors.bag "$scenes/street/groundtruth_tum.txt" || fail "sensors"
 run_code 0 "$edgevo" run sensors.bag -o scaled --edge-map off --scale robot_pose --quiet
-run_code 0 "$edgevo" import sensors.bag sensors.rawlog
+run_code 0 "$edgevo" import sensors.bag -o sensors.rawlog
 run_code 0 "$edgevo" info sensors.rawlog
 check "sensors in the rawlog" "$(grep -c 'CObservationGPS.*CObservationOdometry.*CObservationRobotPose' stdout)" -eq 1
 run_code 0 "$edgevo" run sensors.rawlog -o rawlog --edge-map off --scale robot_pose --quiet
