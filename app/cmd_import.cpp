@@ -14,7 +14,7 @@ void add_import_command(CLI::App& app, Action* action) {
   auto args = std::make_shared<ImportRequest>();
   add_source_options(*command, &args->source);
   add_mount(*command, &args->source.mount);
-  command->add_option("OUT.rawlog", args->out, "rawlog to write; its images go to OUT_Images")->required();
+  command->add_option("-o,OUT.rawlog", args->out, "rawlog to write; its images go to OUT_Images")->required();
   add_force(*command, &args->force);
   command->callback([=] { *action = [=] { return write_imported(*args, sequence_host()), 0; }; });
 }

@@ -42,7 +42,8 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
   command
       .add_option_function<std::string>(
           "SOURCE", [options](const std::string& path) { options->path = source_folder(path); },
-          ".rawlog, data set folder (edgevo, KITTI, TUM RGB-D, EuRoC, Symphony Lake), folder of images, "
+          ".rawlog, ROS bag (.bag, .mcap, .db3 or its folder), data set folder (edgevo, KITTI, TUM RGB-D, "
+          "EuRoC, Symphony Lake), folder of images, "
           "video, or camera:N")
       ->required();
   CLI::Option* camera =
@@ -62,6 +63,7 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
       ->excludes(camera);
   command.add_option("--sensor", options->sensor_label,
                      "camera to use, if the source or --camera has several");
+  command.add_option("--topic", options->topic, "images of a ROS bag to use, if several topics have some");
   command.add_option_function<std::string>(
       "--frames", [options](const std::string& text) { set_frame_range(text, options); },
       "use only frames A to B-1, as A:B");

@@ -10,8 +10,8 @@
 
 namespace edgevo::app {
 
-/// Adds SOURCE, --camera, --fov, --sensor, --frames, --every and --fps to `command`; parsing fills `*options`
-/// and throws InputError for a wrong --frames.
+/// Adds SOURCE, --camera, --fov, --sensor, --topic, --frames, --every and --fps to `command`; parsing fills
+/// `*options` and throws InputError for a wrong --frames.
 void add_source_options(CLI::App& command, SourceOptions* options);
 
 /// Adds --mount.

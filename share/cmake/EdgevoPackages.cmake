@@ -62,8 +62,8 @@ endmacro()
 set(CPACK_COMPONENTS_ALL)
 edgevo_package(program edgevo "monocular edge visual odometry"
   "From the images of one moving camera to its trajectory and a 3D map of the
-edges that it saw, on a CPU. Reads MRPT rawlogs, videos and the folders of
-KITTI, TUM and EuRoC; writes trajectories, rawlogs, simplemaps, OctoMaps and
+edges that it saw, on a CPU. Reads MRPT rawlogs, bags of ROS, videos and the
+folders of KITTI, TUM and EuRoC; writes trajectories, rawlogs, simplemaps, OctoMaps and
 scenes that the stock tools open, and a report."
   SECTION science RECOMMENDS "edgevo-view, gnuplot-nox | gnuplot"
   SUGGESTS "snakemake, edgevo-mrpt-plugin, edgevo-servo, edgevo-doc, mrpt-apps, octovis, octomap-tools")
@@ -92,7 +92,7 @@ endif()
 # Components of find_package(edgevo) search for the packages that they link: those of the odometry are dependencies, the others
 # recommendations.
 set(libraries "libeigen3-dev, libopencv-dev, libceres-dev, zlib1g-dev")
-set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev, libsqlite3-dev, libxml2-dev, libdeflate-dev, libzstd-dev")
+set(more_libraries "liboctomap-dev, libmrpt-maps-dev, libmrpt-gui-dev, libx11-dev, libexif-dev, libsqlite3-dev, libxml2-dev, libdeflate-dev, libbz2-dev, liblz4-dev, libzstd-dev")
 edgevo_package(devel libedgevo-dev "edge visual odometry: libraries for C++"
   "Static libraries, headers, a CMake package (find_package(edgevo), targets
 edgevo::odometry, edgevo::datasets and others) and examples, in

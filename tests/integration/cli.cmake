@@ -68,3 +68,11 @@ target_link_libraries(add_vehicle_sensors PRIVATE edgevo::mrpt_bridge edgevo::ev
 add_test(NAME integration.cli_scale
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_scale.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:add_vehicle_sensors>)
 set_tests_properties(integration.cli_scale PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)
+
+# Recordings of ROS, written by a test program from a rendered sequence.
+add_executable(write_recording ${CMAKE_CURRENT_LIST_DIR}/write_recording.cpp)
+target_link_libraries(write_recording PRIVATE edgevo::datasets edgevo::mrpt_bridge edgevo::evaluation bz2 lz4 zstd sqlite3 z)
+target_include_directories(write_recording PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+add_test(NAME integration.cli_recordings
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_recordings.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:write_recording>)
+set_tests_properties(integration.cli_recordings PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)

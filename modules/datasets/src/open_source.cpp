@@ -13,8 +13,10 @@
 #include "edgevo/datasets/source_folder.h"
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
+#include "edgevo/recordings/recording.h"
 #include "layouts/layout.h"
 #include "mounted_source.h"
+#include "recording_source.h"
 #include "symphony_archive.h"
 #include "text_file.h"
 #include "video_source.h"
@@ -47,6 +49,11 @@ void refuse_bits(const SourceOptions& options) {
 void refuse_rate(const SourceOptions& options) {
   if (options.fps == 0) return;
   throw InputError("--fps", "is of no use: " + options.path + " has times of its own", "omit it");
+}
+
+void refuse_topic(const SourceOptions& options) {
+  if (options.topic.empty()) return;
+  throw InputError("--topic", "is of no use: " + options.path + " is not a recording of ROS", "omit it");
 }
 
 void refuse_time_unit(const SourceOptions& options) {
@@ -87,9 +94,27 @@ std::unique_ptr<ImageSource> open_rawlog_file(const SourceOptions& options) {
   }
 }
 
+void refuse_sensor(const SourceOptions& options) {
+  if (options.sensor_label.empty()) return;
+  if (!options.camera_file.empty() && has_several_cameras(options.camera_file)) return;
+  throw InputError("--sensor", "is of no use: " + options.path + " has topics", "choose one with --topic");
+}
+
+std::unique_ptr<ImageSource> open_ros_recording(const SourceOptions& options) {
+  refuse_sensor(options);
+  refuse_images(options);
+  refuse_rate(options);
+  refuse_time_unit(options);
+  return open_recording_source(options);
+}
+
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
-  if (options.path.rfind(kLiveCamera, 0) == 0) {
+  const bool is_live = options.path.rfind(kLiveCamera, 0) == 0;
+  const bool is_ros =
+      !is_live && fs::exists(options.path, ignored) && !layout_of(options.path) && is_recording(options.path);
+  if (!is_ros) refuse_topic(options);
+  if (is_live) {
     refuse_images(options);
     refuse_bits(options);
     refuse_rate(options);
@@ -98,6 +123,7 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   }
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
+  if (is_ros) return open_ros_recording(options);
   if (fs::is_directory(options.path, ignored)) return open_folder(options);
   if (!fs::is_regular_file(options.path, ignored))
     throw InputError(options.path, "is a device or a pipe, not a file",

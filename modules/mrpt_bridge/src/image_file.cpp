@@ -38,16 +38,17 @@ cv::Mat decode(const std::string& bytes) try {
   return {};
 }
 
-cv::Mat read_pixels(const std::string& path) {
-  const std::string bytes = read_bytes(path);
+cv::Mat decode_pixels(const std::string& bytes, const std::string& where) {
   cv::Mat pixels = decode_plain_png(bytes);
   if (!pixels.empty()) return pixels;
   const std::string damage = image_damage(bytes);
-  if (!damage.empty()) throw InputError(path, "the image does not decode: " + damage, kReplaceImage);
+  if (!damage.empty()) throw InputError(where, "the image does not decode: " + damage, kReplaceImage);
   pixels = decode(bytes);
-  if (pixels.empty()) throw InputError(path, "the image does not decode", kReplaceImage);
+  if (pixels.empty()) throw InputError(where, "the image does not decode", kReplaceImage);
   return pixels;
 }
+
+cv::Mat read_pixels(const std::string& path) { return decode_pixels(read_bytes(path), path); }
 
 }  // namespace
 
@@ -65,6 +66,15 @@ GrayImage read_gray_image(const std::string& path, const std::optional<Intensity
 }
 
 std::optional<DeepImage> read_deep_image(const std::string& path) { return to_deep(read_pixels(path), path); }
+
+GrayImage decode_gray_image(const std::string& bytes, const std::optional<IntensityScale>& scale,
+                            const std::string& where) {
+  return to_gray(decode_pixels(bytes, where), scale, where);
+}
+
+std::optional<DeepImage> decode_deep_image(const std::string& bytes, const std::string& where) {
+  return to_deep(decode_pixels(bytes, where), where);
+}
 
 void write_png(const std::string& path, const GrayImage& image) {
   check_pixels(image, path);

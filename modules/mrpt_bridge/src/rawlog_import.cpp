@@ -11,6 +11,7 @@
 #include "edgevo/mrpt_bridge/conversions.h"
 #include "edgevo/mrpt_bridge/image_file.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
+#include "edgevo/mrpt_bridge/sensor_observations.h"
 
 namespace edgevo {
 namespace {
@@ -34,6 +35,40 @@ mrpt::obs::CObservationImage make_observation(const ImageSource& source, const s
   return observation;
 }
 
+// Writes the readings of the other sensors between the images.
+class SensorWriter {
+ public:
+  SensorWriter(SensorReadings readings, RawlogWriter* out) : readings_(std::move(readings)), out_(out) {
+    advance();
+  }
+
+  // Those before an image; of the time before the first one only the last second.
+  void write_before(Timestamp image) {
+    if (!begins_) begins_ = Timestamp{image.ticks - kMargin};
+    write_until(image.ticks);
+    last_image_ = image;
+  }
+  // Those of the second after the last image.
+  void finish() {
+    if (begins_) write_until(last_image_.ticks + kMargin);
+  }
+
+ private:
+  static constexpr int64_t kMargin = Timestamp::kTicksPerSecond;
+
+  void write_until(int64_t ticks) {
+    for (; next_ && next_->time.ticks <= ticks; advance())
+      if (*begins_ <= next_->time) out_->write(*make_sensor_observation(*next_));
+  }
+  void advance() { next_ = readings_ ? readings_() : std::nullopt; }
+
+  SensorReadings readings_;
+  RawlogWriter* out_;
+  std::optional<SensorReading> next_;
+  std::optional<Timestamp> begins_;
+  Timestamp last_image_;
+};
+
 }  // namespace
 
 int import_rawlog(ImageSource& source, const std::string& rawlog_path, const ImportProgress& progress) {
@@ -42,9 +77,11 @@ int import_rawlog(ImageSource& source, const std::string& rawlog_path, const Imp
   const std::string label = source.label().empty() ? kDefaultLabel : source.label();
   mrpt::obs::CObservationImage observation = make_observation(source, label);
   RawlogWriter writer(rawlog_path);
+  SensorWriter sensors(source.sensor_readings(), &writer);
   std::set<std::string> used;
   int written = 0;
   while (const auto frame = source.next()) {
+    sensors.write_before(frame->time);
     const std::string name = unused_name(*frame, &used);
     write_png((folder / name).string(), frame->image);
     observation.timestamp = to_mrpt(frame->time);
@@ -53,6 +90,7 @@ int import_rawlog(ImageSource& source, const std::string& rawlog_path, const Imp
     ++written;
     if (progress) progress(written);
   }
+  sensors.finish();
   writer.close();
   return written;
 }

@@ -11,6 +11,7 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/input_decision.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/core/sensor_reading.h"
 #include "edgevo/core/vehicle_track.h"
 
 namespace edgevo {
@@ -36,6 +37,9 @@ class ImageSource {
   /// Positions of the vehicle measured by another sensor; empty if the source has no such recording. May read
   /// the source once more.
   virtual VehicleTrack vehicle_track(VehicleSensor) const { return {}; }
+  /// All that its other sensors measured; empty if the source does not give it. May read the source once
+  /// more.
+  virtual SensorReadings sensor_readings() const { return {}; }
   /// Further facts for `edgevo info`, as name and value.
   virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
   /// What the source took its input to be where that is not stated.

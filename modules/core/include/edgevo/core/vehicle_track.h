@@ -4,13 +4,14 @@
 // reference for a monocular run.
 #include <Eigen/Core>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "edgevo/core/timestamp.h"
 
 namespace edgevo {
 
-/// Sensor of a rawlog: wheel odometry, GPS, or a robot pose (such as motion capture).
+/// Sensor of a recording: wheel odometry, GPS, or a robot pose (such as motion capture).
 enum class VehicleSensor { kOdometry, kGps, kRobotPose };
 
 /// One measured position.
@@ -32,5 +33,8 @@ struct VehicleTrack {
 
 /// Recordings of one vehicle, by sensor.
 using VehicleTracks = std::map<VehicleSensor, VehicleTrack>;
+
+/// The longest of the tracks by name, in time order, each time once, from its first position on.
+VehicleTrack longest_track(std::map<std::string, VehicleTrack> tracks);
 
 }  // namespace edgevo

@@ -21,6 +21,7 @@ class WrappedSource : public ImageSource {
   bool is_live() const override { return inner_->is_live(); }
   std::string label() const override { return inner_->label(); }
   VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
+  SensorReadings sensor_readings() const override { return inner_->sensor_readings(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return inner_->details(); }
   std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
   std::vector<Timestamp> times() const override { return inner_->times(); }

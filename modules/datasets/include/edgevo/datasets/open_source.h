@@ -5,6 +5,8 @@
 // Recognised, in this order:
 //   camera:N              a live camera, by OpenCV; needs a camera file; ends when the user stops it
 //   *.rawlog              an MRPT rawlog (mrpt_bridge/rawlog_source.h)
+//   *.bag, *.mcap, *.db3  recordings of ROS 1 and ROS 2, and folders of the latter (recordings/recording.h);
+//                         topic: the images, by default the only ones
 //   folder with images/   `edgevo` layout: images/, times.txt (seconds, one line an image), camera.txt,
 //                         and groundtruth_tum.txt if there is ground truth; DSO's times.txt (`name time`)
 //                         and camera.txt, too
@@ -44,6 +46,8 @@ struct SourceOptions {
   /// Label of the camera to use, of the source or of a calibration file that has several; empty: the only or
   /// the default one.
   std::string sensor_label;
+  /// Topic of a recording of ROS; empty: the only one with images.
+  std::string topic;
   /// First frame played; frames first .. last-1 are played (half-open).
   int first = 0;
   /// End of the frames played; nullopt: to the end of the source.

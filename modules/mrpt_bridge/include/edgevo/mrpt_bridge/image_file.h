@@ -26,6 +26,12 @@ GrayImage read_gray_image(const std::string& path, const std::optional<Intensity
 /// The values of an image of more than 8 bits; nullopt for one of 8. Throws InputError as above.
 std::optional<DeepImage> read_deep_image(const std::string& path);
 
+/// The same for an image file in memory, which `where` names in messages.
+GrayImage decode_gray_image(const std::string& bytes, const std::optional<IntensityScale>& scale,
+                            const std::string& where);
+/// The same for an image file in memory.
+std::optional<DeepImage> decode_deep_image(const std::string& bytes, const std::string& where);
+
 /// Writes the pixels as an 8-bit gray PNG, lossless. Throws InputError (disk full, no such folder, ...); the
 /// partial file is then removed, which also leaves room on a full disk to close the other files of a run.
 void write_png(const std::string& path, const GrayImage& image);

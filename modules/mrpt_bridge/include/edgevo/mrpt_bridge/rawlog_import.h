@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Converts any ImageSource to a rawlog that the stock MRPT tools play: observations only, one
-// CObservationImage a frame, its image stored externally as an 8-bit gray PNG in `<OUT without
-// suffix>_Images/` under its own name (its frame number if it was not a file). Lossless: pixels, times and
-// calibration are read back bit by bit. RawLogViewer and rawlog-edit of MRPT 2.5.8 find the images when
-// started in the folder of the rawlog.
+// CObservationImage a frame, and what its other sensors measured (sensor_observations.h); its image stored
+// externally as an 8-bit gray PNG in `<OUT without suffix>_Images/` under its own name (its frame number if
+// it was not a file). Lossless: pixels, times and calibration are read back bit by bit. RawLogViewer and
+// rawlog-edit of MRPT 2.5.8 find the images when started in the folder of the rawlog.
 #include <functional>
 #include <string>
 
