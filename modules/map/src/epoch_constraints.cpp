@@ -27,9 +27,11 @@ Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T
   Constraint moved = c;
   moved.T_from_to = to_sim3(T_map_from) * Sim3{scale, c.T_from_to.rigid} * to_sim3(T_map_to).inverse();
   moved.centre = T_map_from * c.T_from_to.rigid.translation();
-  Matrix7d turn = Matrix7d::Identity();
-  turn.block<3, 3>(0, 0) = turn.block<3, 3>(3, 3) = T_map_from.R();
-  moved.covariance = turn * c.covariance * turn.transpose();
+  Matrix6d turn = Matrix6d::Zero();
+  turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = T_map_from.R();
+  moved.covariance.topLeftCorner<6, 6>() = turn * c.covariance.topLeftCorner<6, 6>() * turn.transpose();
+  moved.covariance.topRightCorner<6, 1>() = turn * c.covariance.topRightCorner<6, 1>();
+  moved.covariance.bottomLeftCorner<1, 6>() = moved.covariance.topRightCorner<6, 1>().transpose();
   return moved;
 }
 
@@ -37,13 +39,21 @@ Constraint in_world_unit(const Constraint& c, double scale_from, double fails, d
   Constraint place = c;
   place.T_from_to = {1, SE3(c.T_from_to.rigid.rotation(), scale_from * c.T_from_to.rigid.translation())};
   place.centre *= scale_from;
-  Vector7d unit = Vector7d::Ones();
+  Vector6d unit = Vector6d::Ones();
   unit.head<3>().setConstant(scale_from);
-  unit[6] = 0;
-  place.covariance = unit.asDiagonal() * c.covariance * unit.asDiagonal();
+  place.covariance.setZero();
+  place.covariance.topLeftCorner<6, 6>() =
+      unit.asDiagonal() * c.covariance.topLeftCorner<6, 6>() * unit.asDiagonal();
   place.failure.reset();
   if (fails > 0) place.failure = {fails, variance_of(times_as_uncertain) * place.covariance};
   return place;
+}
+
+Constraint with_uncertain_scale(Constraint c) {
+  constexpr double kLeastVariance = 1e-12;
+  if (c.covariance(6, 6) == 0) c.covariance(6, 6) = kLeastVariance;
+  if (c.failure && c.failure->covariance(6, 6) == 0) c.failure->covariance(6, 6) = kLeastVariance;
+  return c;
 }
 
 Constraint of_scale_alone(const Constraint& c) {
@@ -51,7 +61,9 @@ Constraint of_scale_alone(const Constraint& c) {
   scale.T_from_to = {c.T_from_to.scale, SE3()};
   scale.centre.setZero();
   scale.covariance = covariance_of_scale(std::sqrt(c.covariance(6, 6)));
-  if (scale.failure) scale.failure->covariance = covariance_of_scale(std::sqrt(c.failure->covariance(6, 6)));
+  if (scale.failure)
+    scale.failure->covariance =
+        covariance_of_scale(std::sqrt(std::max(c.covariance(6, 6), c.failure->covariance(6, 6))));
   return scale;
 }
 

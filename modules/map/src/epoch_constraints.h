@@ -20,6 +20,8 @@ Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T
 /// first node are `scale_from` times as long. It fails with the probability `fails`; its place is
 /// `times_as_uncertain` then.
 Constraint in_world_unit(const Constraint& c, double scale_from, double fails, double times_as_uncertain);
+/// A constraint whose scale may fail: an exact one is uncertain by a millionth.
+Constraint with_uncertain_scale(Constraint constraint);
 /// What a constraint says of the unit alone.
 Constraint of_scale_alone(const Constraint& c);
 

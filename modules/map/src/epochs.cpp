@@ -166,7 +166,7 @@ class Epochs::Solver {
     if (!from || !to || !is_sound(*from) || !is_sound(*to)) return;
     const auto a = epoch_of(*from), b = epoch_of(*to);
     if (!a || !b || a == b) return;
-    constraints_.push_back({id, *a, *b, from->T_map_cam, to->T_map_cam, c});
+    constraints_.push_back({id, *a, *b, from->T_map_cam, to->T_map_cam, with_uncertain_scale(c)});
     constraints_.back().constraint.from = node(*a), constraints_.back().constraint.to = node(*b);
   }
 

@@ -43,6 +43,13 @@ void FrameLog::constrain_scale(const std::function<bool(const FrameRecord&)>& co
   }
 }
 
+// Within one epoch it says nothing of where the epochs lie.
+bool FrameLog::relates_epochs(const Constraint& c) const {
+  const auto from = run_.find_keyframe(c.from.number()), to = run_.find_keyframe(c.to.number());
+  if (!from || !to || from->segment != to->segment) return true;
+  return placed_.find(from->segment, from->id) != placed_.find(to->segment, to->id);
+}
+
 // The ground links what lies between two keyframes.
 void FrameLog::follow(const Constraint& c) {
   if (c.kind != ConstraintKind::kGround) return;
@@ -55,7 +62,8 @@ void FrameLog::follow(const Constraint& c) {
 
 void FrameLog::follow(const MapEvent& event) {
   const auto* added = std::get_if<ConstraintAdded>(&event);
-  has_found_more_ |= added || std::holds_alternative<ConstraintWithdrawn>(event);
+  has_found_more_ |=
+      added ? relates_epochs(added->constraint) : std::holds_alternative<ConstraintWithdrawn>(event);
   if (added) follow(added->constraint);
 }
 
@@ -103,8 +111,10 @@ void FrameLog::begin_epoch(const EpochBegan& began) {
 }
 
 void FrameLog::add_constraint(const Constraint& constraint) {
-  // One between poses that an adjustment has left without a value says nothing.
-  if (constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite())
+  // One between poses that an adjustment has left without a value says nothing, nor does one of a keyframe
+  // that the camera has returned to.
+  if (constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite() &&
+      constraint.from != constraint.to)
     log_->add_constraint(constraint);
   run();
 }

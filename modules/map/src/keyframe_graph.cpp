@@ -24,14 +24,22 @@ Sim3 T_world_cam(const KeyframeInMap& k, const PlacedEpochs& placed) {
   return placed.T_world_map(k.segment, k.id) * Sim3{1, k.T_map_cam};
 }
 
+// A pose of an adjustment that failed must not end the run.
+std::vector<KeyframeInMap> sound(std::vector<KeyframeInMap> keyframes) {
+  keyframes.erase(std::remove_if(keyframes.begin(), keyframes.end(),
+                                 [](const KeyframeInMap& k) { return !k.T_map_cam.is_finite(); }),
+                  keyframes.end());
+  return keyframes;
+}
+
 bool measures_place(const Constraint& c) { return c.covariance.topLeftCorner<6, 6>().allFinite(); }
 
 // As they lie. In a doubt, or between two maps, as uncertain as a motion that is wrong.
-Constraint unsure_neighbours(Constraint c, int frames) {
+Constraint unsure_neighbours(Constraint c, int frames, double scale_sigma) {
   const double length = c.T_from_to.rigid.translation().norm();
-  const double tolerances = std::sqrt(double(frames) / kMotionTolerance.frames);
+  const double tolerances = std::sqrt(double(std::max(1, frames)) / kMotionTolerance.frames);
   c.covariance = covariance_of(std::max(length, kLeast), rad(kMotionTolerance.rotation_deg) * tolerances,
-                               std::max(kDrift, std::abs(std::log(c.T_from_to.scale))));
+                               std::hypot(kDrift, scale_sigma));
   return c;
 }
 
@@ -45,31 +53,35 @@ Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunS
   c.T_from_to = T_world_cam(a, placed).inverse() * T_world_cam(b, placed);
   const bool is_sure = a.segment == b.segment && placed.own.count(a.id) + placed.own.count(b.id) == 0 &&
                        placed.find(a.segment, a.id) == placed.find(b.segment, b.id);
-  if (!is_sure) return unsure_neighbours(c, b.frame_index - a.frame_index);
+  if (!is_sure)
+    return unsure_neighbours(c, b.frame_index - a.frame_index, placed.find(b.segment, b.id)->scale_sigma);
   c.covariance = covariance_of(kShare * c.T_from_to.rigid.translation().norm() + kLeast, kRotation, kDrift);
-  if (const std::optional<Matrix6d> known = run.covariance_to_next(a.id))
+  if (const std::optional<Matrix6d> known = run.covariance_between(a.id, b.id))
     c.covariance.topLeftCorner<6, 6>() += *known;
   return c;
 }
 
 // One that can be mistaken, unless it says how it may fail.
-Constraint place(Constraint c) {
+Constraint place(const Constraint& given) {
+  Constraint c = with_uncertain_scale(given);
   if (!c.failure) c.failure = {kPlaceMistaken, kWithoutPlace * kWithoutPlace * c.covariance};
   return c;
 }
 
 }  // namespace
 
+// Features link the ends of a doubt: within one epoch they show what tracking had.
 bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const RunSoFar& run) {
-  if (!measures_place(c)) return false;
+  if (!measures_place(c) || c.kind == ConstraintKind::kFeatures) return false;
   const auto from = run.keyframe(c.from.number()), to = run.keyframe(c.to.number());
   if (!from || !to) return false;
   const EpochPlace* epoch = placed.find(from->segment, from->id);
   return epoch && epoch == placed.find(to->segment, to->id);
 }
 
-void place_keyframes(const std::map<int, Constraint>& constraints,
-                     const std::vector<KeyframeInMap>& keyframes, const RunSoFar& run, PlacedEpochs* placed) {
+void place_keyframes(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& known,
+                     const RunSoFar& run, PlacedEpochs* placed) {
+  const std::vector<KeyframeInMap> keyframes = sound(known);
   if (keyframes.empty()) return;
   MapGraph graph;
   for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_world_cam(k, *placed));
@@ -77,15 +89,16 @@ void place_keyframes(const std::map<int, Constraint>& constraints,
     graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
   std::map<int, int> id_of;  // by number in the graph
   for (const auto& [id, c] : constraints)
-    if (measures_place(c) && !placed->is_unused(id) && run.keyframe(c.from.number()) &&
-        run.keyframe(c.to.number()))
+    if (measures_place(c) && !placed->is_unused(id) && graph.knows(c.from) && graph.knows(c.to))
       id_of[graph.add(place(c))] = id;
   const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
   for (const int failed : found.failed)
     if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
   for (const KeyframeInMap& k : keyframes)
     placed->own[k.id] = found.nodes.at(node(k.id)).T_world_node * Sim3{1, k.T_map_cam}.inverse();
-  placed->epochs.back().T_world_map = placed->own.at(keyframes.back().id);
+  const KeyframeInMap& newest = keyframes.back();
+  EpochPlace& last = placed->epochs.back();
+  if (placed->find(newest.segment, newest.id) == &last) last.T_world_map = placed->own.at(newest.id);
 }
 
 }  // namespace edgevo

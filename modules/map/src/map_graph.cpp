@@ -233,6 +233,11 @@ void MapGraph::withdraw(int id) {
   for (const auto& [other, c] : impl_->constraints) impl_->note_exact(c);
 }
 
+bool MapGraph::knows(NodeId id) const {
+  const std::lock_guard<std::mutex> lock(impl_->mutex);
+  return impl_->nodes.count(id) > 0;
+}
+
 std::map<NodeId, Sim3> MapGraph::nodes() const {
   const std::lock_guard<std::mutex> lock(impl_->mutex);
   return impl_->nodes;

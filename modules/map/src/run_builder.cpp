@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/run_builder.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -100,8 +101,7 @@ void RunBuilder::handle(const EpochsPlaced& e) {
 
 void RunBuilder::handle(const KeyframeMarginalised& e) {
   add_keyframe(e.id, e.keyframe);
-  if (forgets() || e.neighbours.empty() || e.neighbours.front().covariance.isZero()) return;
-  covariances_[e.id] = e.neighbours.front().covariance;
+  if (!forgets() && !e.neighbours.empty()) neighbours_[e.id] = e.neighbours.front();
 }
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
@@ -142,6 +142,8 @@ void RunBuilder::handle(const FrameMapped& e) {
 }
 
 void RunBuilder::handle(const FrameAnchored& e) {
+  const bool is_forgotten = forgotten_ > 0 && !rows_.empty() && e.frame.index < rows_.front().frame.index;
+  if (is_forgotten) return;
   const auto [known, is_new] = position_.emplace(e.frame.index, frames());
   if (is_new) rows_.emplace_back();
   Row& changed = row(known->second);
@@ -158,7 +160,7 @@ void RunBuilder::handle(const FrameAnchored& e) {
 // But those that constraints refer to, or may.
 void RunBuilder::forget_places_before(int frame_index) {
   for (auto place = places_.begin(); place != places_.end() && place->second.frame_index < frame_index;)
-    place = epochs_.refers_to(place->first) || kept_.count(place->first) > 0 ? std::next(place)
+    place = kept_.count(place->first) > 0 || epochs_.refers_to(place->first) ? std::next(place)
                                                                              : places_.erase(place);
 }
 
@@ -200,11 +202,18 @@ double RunBuilder::doubt_between(int frame, int later_frame) const {
 RunSoFar RunBuilder::run_so_far() const {
   return {[this](int id) { return find_keyframe(id); },
           [this](int segment, int first, int last) { return find_keyframes(segment, first, last); },
-          [this](int id) {
-            const auto known = covariances_.find(id);
-            return known == covariances_.end() ? std::nullopt : std::optional(known->second);
-          },
+          [this](int id, int later_id) { return covariance_between(id, later_id); },
           [this](int frame, int later_frame) { return doubt_between(frame, later_frame); }};
+}
+
+// Rounding may leave it without symmetry, or indefinite.
+std::optional<Matrix6d> RunBuilder::covariance_between(int id, int later_id) const {
+  const auto known = neighbours_.find(id);
+  if (known == neighbours_.end() || known->second.id != later_id) return std::nullopt;
+  const Matrix6d& c = known->second.covariance;
+  const Matrix6d symmetric = 0.5 * (c + c.transpose());
+  if (!symmetric.allFinite() || Eigen::LLT<Matrix6d>(symmetric).info() != Eigen::Success) return std::nullopt;
+  return symmetric;
 }
 
 std::vector<KeyframeInMap> RunBuilder::all_keyframes() const {
@@ -364,8 +373,6 @@ Run RunBuilder::finish() {
   run.pinhole = rectification_.target();
   run.camera = camera_;
   run.segments = segments_;
-  for (const EpochPlace& e : placed.epochs)
-    if (e.epoch == 0) run.segments[size_t(e.segment)].scale_sigma = e.scale_sigma;
   run.epochs = epoch_records(placed);
   run.constraints = constraint_records(placed);
   std::map<int, int> position_of_keyframe;  // in run.keyframes

@@ -131,7 +131,12 @@ std::vector<bool> views_that_hold(const std::vector<StatedPose>& views,
                                   const UnknownPose& unknown) {
   if (views.empty()) return {};
   Statements statements{views, views.size(), 0, known, 0};
-  statements.log_unknown = -3 * (std::log(unknown.position * unknown.rotation) + kLog2Pi);
+  // As little as the guess says, a mistaken view shows a pose about it.
+  Matrix6d spread = Matrix6d::Zero();
+  spread.diagonal() << Eigen::Vector3d::Constant(unknown.position * unknown.position),
+      Eigen::Vector3d::Constant(unknown.rotation * unknown.rotation);
+  if (guess) spread += guess->stated.covariance;
+  statements.log_unknown = log_density(Vector6d::Zero(), spread);
   if (guess) statements.all.push_back(guess->stated), statements.guess_fails = guess->fails;
   std::optional<Choice> best;
   for (size_t first = 0; first < statements.all.size(); ++first) {

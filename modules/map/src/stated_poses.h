@@ -36,7 +36,7 @@ struct MistakenViews {
   double mistaken = 1, right = 1;
 };
 
-/// Where a camera may be that a mistaken view, or a failed guess, shows: standard deviations.
+/// Where a camera may be, about the guess, that a mistaken view or a failed guess shows: standard deviations.
 struct UnknownPose {
   /// Of the position, in the frame's unit, and of the rotation, radians.
   double position = 1, rotation = 1;

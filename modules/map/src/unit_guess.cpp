@@ -39,7 +39,9 @@ class Guess {
   }
 
   std::vector<double> find() {
-    for (bool improved = true; improved;) {
+    // Each round decides at least one epoch; rounding must not keep it going.
+    bool improved = true;
+    for (size_t round = 0; improved && round <= units_.size(); ++round) {
       improved = false;
       for (size_t i = 1; i < units_.size(); ++i) {
         improved |= improve({i, units_.size()}, across_[i]);

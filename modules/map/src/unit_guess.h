@@ -19,8 +19,8 @@ struct UnitRelation {
 
 /// Logarithms of the units of `epochs` epochs over that of the first. From the most probable value of each
 /// relation: while there is a relation that would hold, and the sum of the costs of all fall, if all epochs
-/// from one on, or one alone, had other units, they get them. Deterministic. Cost: some microseconds an
-/// epoch.
+/// from one on, or one alone, had other units, they get them. Deterministic. Cost: for each epoch the square
+/// of the number of relations that span its beginning, a tenth of a microsecond each.
 std::vector<double> guess_units(size_t epochs, const std::vector<UnitRelation>& relations);
 
 }  // namespace edgevo

@@ -7,7 +7,7 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kSteps = 64;  // places where a interval may begin: finer costs the square of it
+constexpr size_t kSteps = 64;  // places where an interval may begin: finer costs the square of it
 
 }  // namespace
 

@@ -10,6 +10,8 @@ namespace {
 
 // Of an epoch, nearest to its end: enough for the two per cent to which a road is even.
 constexpr size_t kMaxKeyframes = 100;
+// Of the median depth: less is the noise of a camera that stands.
+constexpr double kNoMotion = 1e-3;
 
 }  // namespace
 
@@ -37,7 +39,7 @@ void GroundLinks::handle(const EpochBegan& e) {
   Part* const before = part_of(e.segment, e.last_before);
   if (!before) return;
   // Of a doubt that was evaluated when the next map had begun both units are in what was measured.
-  if (before != &parts_.back()) return before->height.reset();
+  if (before != &parts_.back()) return forget_height(before);
   Part now;
   now.segment = e.segment, now.first_keyframe = e.first;
   const auto is_before = [&](const Seen& k) { return k.id <= e.last_before; };
@@ -59,16 +61,25 @@ GroundLinks::Part* GroundLinks::part_of(int segment, int keyframe_id) {
 
 // ---- what was seen ----
 
+// A pose that shows no motion; that of a keyframe is needed nevertheless.
+bool GroundLinks::stands(const FrameAnchored& e) const {
+  const Eigen::Vector3d step =
+      e.anchor->T_cam_map.inverse().translation() - path_.back().T_world_cam.translation();
+  return e.frame.keyframe_reason == KeyframeReason::kNone &&
+         step.norm() < kNoMotion * e.frame.evidence.median_depth;
+}
+
 void GroundLinks::handle(const FrameAnchored& e) {
   if (!e.anchor || parts_.empty() || e.frame.segment != parts_.back().segment) return;
-  if (!path_.empty() && e.frame.index <= path_.back().frame_index) return;
+  if (!path_.empty() && (e.frame.index <= path_.back().frame_index || stands(e))) return;
   extend(e.frame.index, e.frame.time, e.anchor->T_cam_map.inverse(), &path_);
 }
 
 void GroundLinks::handle(const KeyframeMarginalised& e) {
-  if (parts_.empty() || e.keyframe->segment != parts_.back().segment) return;
+  if (parts_.empty() || e.keyframe->segment != parts_.back().segment || e.keyframe->is_doubtful) return;
   std::deque<Seen>& keyframes = parts_.back().keyframes;
   keyframes.push_back({e.id, e.keyframe, 1});
+  ++parts_.back().marginalised;
   if (keyframes.size() > kMaxKeyframes) {
     keyframes.pop_front();
     const int first = keyframes.front().record->frame_index;
@@ -94,7 +105,7 @@ std::vector<GroundLinks::Seen> GroundLinks::seen_in(const Part& part) const {
   std::vector<Seen> seen(part.keyframes.begin(), part.keyframes.end());
   if (!window_.keyframes) return seen;
   for (const WindowAdjusted::Active& k : *window_.keyframes)
-    if (k.keyframe.segment == part.segment && k.id >= part.first_keyframe &&
+    if (k.keyframe.segment == part.segment && !k.keyframe.is_doubtful && k.id >= part.first_keyframe &&
         (seen.empty() || k.id > seen.back().id))
       seen.push_back({k.id, {window_.keyframes, &k.keyframe}, 1});
   return seen;
@@ -127,14 +138,24 @@ void GroundLinks::link_newest() {
   if (before == parts_.rend()) return;
   Part& now = parts_.back();
   const std::vector<Seen> seen = seen_in(now);
-  if (seen.size() < now.due) return;
-  now.due = 2 * seen.size();
+  const size_t keyframes = now.marginalised + seen.size() - now.keyframes.size();
+  if (seen.empty() || keyframes < now.due) return;
+  now.due = 2 * keyframes;
   const std::optional<ScaleEstimate> height = measure(seen);
   if (!height) return;
-  if (now.constraint) log_->withdraw_constraint(*now.constraint);
+  const std::optional<int> earlier = now.constraint;
   now.constraint = log_->add_constraint(scale_constraint(
       ConstraintKind::kGround, NodeId::keyframe(before->last_keyframe), NodeId::keyframe(seen.back().id),
       height->factor / before->height->factor, std::hypot(height->sigma, before->height->sigma)));
+  if (earlier) log_->withdraw_constraint(*earlier);
+}
+
+// With what rests on it.
+void GroundLinks::forget_height(Part* part) {
+  part->height.reset();
+  std::optional<int>& newest = parts_.back().constraint;
+  if (newest) log_->withdraw_constraint(*newest);
+  newest.reset();
 }
 
 }  // namespace edgevo

@@ -20,7 +20,7 @@ constexpr double kJumpProbability = 0.05;
 constexpr double kStepSigma = 0.1, kStepSigmas = 3;
 constexpr double kMotionAxes = 2;    // of the residuals: a vehicle moves in a plane
 constexpr double kOffsetAxes = 3;    // of an offset
-constexpr size_t kLargestSteps = 3;  // of the residuals, between which a interval may be displaced
+constexpr size_t kLargestSteps = 3;  // of the residuals, between which an interval may be displaced
 // No more jumps than one for each so many positions: beyond it no noise is left to compare them with.
 constexpr size_t kMinPairsPerJump = 4;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace edgevo {
 namespace {
@@ -30,7 +31,7 @@ class DoubtfulDrive {
             [this](int, int first, int last) {
               return std::vector<KeyframeInMap>(keyframes_.begin() + first, keyframes_.begin() + last + 1);
             },
-            [](int) { return std::optional<Matrix6d>(); },
+            [](int, int) { return std::optional<Matrix6d>(); },
             [](int frame, int later) { return 0.9 * (later - frame); }};
   }
   // What features of a keyframe before and one after the doubt show: their true motion.
@@ -158,6 +159,24 @@ TEST(Epochs, ANewSegmentMovesToWhereFeaturesSeeIt) {
   EXPECT_NEAR(found.T_world_map.scale, 2, 0.02);
   EXPECT_LT((found.T_world_map.rigid.translation() - Eigen::Vector3d(0, 0, kFound)).norm(), 0.1);
   EXPECT_LT(found.T_world_map.rigid.angle(), 0.01);
+}
+
+// A program that recognises places may know all of the motion, or nothing of the scale.
+TEST(Epochs, ExactAndUnknownScalesAreTaken) {
+  const DoubtfulDrive drive(1);
+  for (const double variance : {0.0, std::numeric_limits<double>::infinity()}) {
+    Epochs epochs = two_epochs();
+    for (int id = 0; id < 2; ++id) {
+      ConstraintAdded link = drive.link(id, kLost - 1, kFound + id, 1, 1);
+      link.constraint.covariance(6, 6) = variance;
+      EXPECT_NO_THROW(check_constraint(link.constraint));
+      epochs.add(link);
+    }
+    const PlacedEpochs placed = epochs.solve(drive.run());
+    EXPECT_TRUE(placed.unused.empty());
+    EXPECT_NEAR(placed.epochs[1].T_world_map.scale, 1, 1e-6);
+    for (int id = 0; id < kOfDrive; ++id) EXPECT_NEAR(z_of(placed, drive, id), id, 0.15) << variance;
+  }
 }
 
 // From a log that was cut off or damaged.

@@ -30,7 +30,7 @@ class Round {
             [this](int, int first, int last) {
               return std::vector<KeyframeInMap>(keyframes_.begin() + first, keyframes_.begin() + last + 1);
             },
-            [](int) { return std::optional<Matrix6d>(1e-6 * Matrix6d::Identity()); },
+            [](int, int) { return std::optional<Matrix6d>(1e-6 * Matrix6d::Identity()); },
             [](int, int) { return 0.0; }};
   }
   // What is seen of one keyframe from another, 1 % sure of the distance: truly, or turned round.
@@ -89,6 +89,18 @@ TEST(KeyframeGraph, APlaceThatIsMistakenIsNamed) {
                    round.seen_again(2, 1, kRound - 2)});
   EXPECT_EQ(placed.unused, (std::vector<int>{1}));
   EXPECT_LT(round.largest_error(placed), 2);
+}
+
+// Two exact scales that contradict each other are two measurements, not an error.
+TEST(KeyframeGraph, ExactScalesMayContradictEachOther) {
+  const Round round;
+  std::vector<ConstraintAdded> found;
+  for (int id = 0; id < 2; ++id) {
+    found.push_back(round.seen_again(id, 2, kRound - 1));
+    found.back().constraint.T_from_to.scale *= 1 + 0.05 * id;
+    found.back().constraint.covariance(6, 6) = 0;
+  }
+  EXPECT_LT(round.largest_error(round.place(found)), 6);
 }
 
 TEST(KeyframeGraph, WithoutSuchAPlaceNothingMoves) {

@@ -35,6 +35,13 @@ TEST(StatedPoses, AViewNearWhatWasGuessedHolds) {
   EXPECT_EQ(choose({view(15, {4, 0, 6})}, guess(10)), (Holds{true}));
 }
 
+// A loss of many seconds: hardly anything was guessed.
+TEST(StatedPoses, OneViewHoldsWhereTheGuessSaysNothing) {
+  const GuessedPose vague{stated(turned(0, {0, 0, 0}), 100, 1), 0.05};
+  EXPECT_EQ(choose({view(0, {0, 0, 0})}, vague), (Holds{true}));
+  EXPECT_EQ(choose({view(60, {80, 0, 30})}, vague), (Holds{true}));
+}
+
 // Round the corner of a block that looks alike.
 TEST(StatedPoses, OneViewFarFromWhatWasGuessedIsMistaken) {
   EXPECT_EQ(choose({view(86, {20, 0, 3})}, guess(10)), (Holds{false}));

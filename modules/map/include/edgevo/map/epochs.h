@@ -42,9 +42,9 @@ struct RunSoFar {
   std::function<std::optional<KeyframeInMap>(int id)> keyframe;
   /// The known keyframes of a segment with ids from `first` to `last`, both included, in their order.
   std::function<std::vector<KeyframeInMap>(int segment, int first, int last)> keyframes;
-  /// Covariance of the pose of the next known keyframe after `id` relative to it, as NeighbourPose; nothing
-  /// if it is not known.
-  std::function<std::optional<Matrix6d>(int id)> covariance_to_next;
+  /// Covariance of the pose of keyframe `id` relative to a later one, as NeighbourPose; nothing if it is not
+  /// known.
+  std::function<std::optional<Matrix6d>(int id, int later_id)> covariance_between;
   /// The doubt in the motion from one frame to a later one: the sum of 1 - p_right.
   std::function<double(int frame, int later_frame)> doubt;
 };

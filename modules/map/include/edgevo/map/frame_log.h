@@ -83,6 +83,7 @@ class FrameLog {
   FrameAnchored anchored(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   void follow(const MapEvent& event);
   void follow(const Constraint& constraint);
+  bool relates_epochs(const Constraint& constraint) const;
   void constrain_scale(const std::function<bool(const FrameRecord&)>& concerns, const RelativeScale& unit);
 
   std::shared_ptr<MapLog> log_;

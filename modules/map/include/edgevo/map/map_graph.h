@@ -173,6 +173,8 @@ class MapGraph {
   /// Removes a constraint. Throws std::invalid_argument if there is none with this id.
   void withdraw(int id);
 
+  /// Whether there is such a node.
+  bool knows(NodeId id) const;
   /// Nodes with their guesses.
   std::map<NodeId, Sim3> nodes() const;
   /// Constraints by their ids.

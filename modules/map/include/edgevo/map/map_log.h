@@ -25,11 +25,13 @@ class MapLog {
   /// Appends an event. Cost: a lock and a move; without cursors the event is dropped.
   void append(MapEvent event);
 
-  /// Announces a relation between two keyframes, of whatever segments, and returns its number in the run.
-  /// Whoever follows the run finds out about the past this way: ground, other sensors, places seen again,
-  /// from any thread and without knowing of each other. Live poses do not jump; what is final moves
-  /// (map/epochs.h) from the next frame on. Throws std::invalid_argument, and changes nothing, if an end is
-  /// no keyframe that was announced, or as check_constraint().
+  /// Announces a relation between two keyframes, of whatever segments, and returns its number in the run. So
+  /// does everything that finds out about the past: ground, other sensors, places seen again, from any thread
+  /// and without knowing of each other. Live poses do not jump; what is final moves (map/epochs.h) from the
+  /// next frame on. State a place from the earlier keyframe to the later one: only then it is asked whether
+  /// it looks alike. Between epochs Constraint::failure counts for the unit alone. Throws
+  /// std::invalid_argument, and changes nothing, if an end is no keyframe that was announced, or as
+  /// check_constraint().
   int add_constraint(const Constraint& constraint);
   /// Announces that a relation is none. Throws std::invalid_argument if there is none with this number.
   void withdraw_constraint(int id);

@@ -114,6 +114,7 @@ class RunBuilder {
   bool is_known(int segment) const { return segment >= 0 && size_t(segment) < T_odom_map_.size(); }
   RunSoFar run_so_far() const;
   std::vector<KeyframeInMap> all_keyframes() const;
+  std::optional<Matrix6d> covariance_between(int id, int later_id) const;
   std::vector<KeyframeInMap> find_keyframes(int segment, int first, int last) const;
   double doubt_between(int frame, int later_frame) const;
   void forget_places_before(int frame_index);
@@ -142,7 +143,7 @@ class RunBuilder {
   std::map<int, Entry> keyframes_;              // the marginalised ones, by id
   std::map<int, std::vector<Change>> changes_;  // by keyframe id, also of keyframes of the window
   std::map<int, KeyframeInMap> places_;         // of the marginalised keyframes, by id; with forgets() too
-  std::map<int, Matrix6d> covariances_;         // of the pose of the next keyframe, by id
+  std::map<int, NeighbourPose> neighbours_;     // the next keyframe that shares points, by id
   Epochs epochs_;
   std::vector<Sim3> T_odom_map_;  // by segment, as the next
   std::vector<SegmentRecord> segments_;

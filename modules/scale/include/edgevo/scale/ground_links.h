@@ -41,6 +41,7 @@ class GroundLinks {
     std::deque<Seen> keyframes;           // marginalised, oldest first
     std::optional<ScaleEstimate> height;  // reciprocal of the height, once it has ended
     int last_keyframe = 0;                // of those that it was measured from
+    size_t marginalised = 0;              // keyframes so far, forgotten ones included
     size_t due = 1;                       // keyframes at which it is measured next
     std::optional<int> constraint;        // to the part before it that shows ground
   };
@@ -55,6 +56,8 @@ class GroundLinks {
   void handle(const Other&) {}
 
   Part* part_of(int segment, int keyframe_id);
+  bool stands(const FrameAnchored& e) const;
+  void forget_height(Part* part);
   std::vector<Seen> seen_in(const Part& part) const;
   void measure_end(Part* part) const;
   std::optional<ScaleEstimate> measure(const std::vector<Seen>& keyframes) const;
