@@ -28,7 +28,7 @@ class MapLog {
   /// Announces a relation between two keyframes, of whatever segments, and returns its number in the run. So
   /// does everything that finds out about the past: ground, other sensors, places seen again, from any thread
   /// and without knowing of each other. Live poses do not jump; what is final moves (map/epochs.h) from the
-  /// next frame on. State a place from the earlier keyframe to the later one: only then it is asked whether
+  /// next frame on. State a place from the earlier keyframe to the later one: only then is it tested whether
   /// it looks alike. Between epochs Constraint::failure counts for the unit alone. Throws
   /// std::invalid_argument, and changes nothing, if an end is no keyframe that was announced, or as
   /// check_constraint().
