@@ -26,7 +26,7 @@ TEST(ScaleFaults, InWords) {
 }
 
 TEST(ScaleFaults, AreWarningsAmongTheClosingLines) {
-  Run run;
+  edgevo::Run run;
   run.scale.faults.push_back(wheels());
   const std::vector<ClosingLine> lines = closing_lines(run, "out", false);
   const auto fault = std::find_if(lines.begin(), lines.end(), [](const ClosingLine& line) {
