@@ -53,7 +53,7 @@ TEST(StatedPoses, TwoViewsThatAgreeRefuteAGuess) {
 
 // After two seconds without sight a guess says little, but views that contradict each other say less.
 TEST(StatedPoses, ViewsThatContradictEachOtherLeaveTheGuess) {
-  const StatedPose first = view(82, {20, 0, 8}), second = view(-60, {0, 0, 40}),
+  const StatedPose first = view(82, {25, 0, 10}), second = view(-60, {0, 0, 40}),
                    third = view(170, {-30, 0, 9});
   EXPECT_EQ(choose({first}, guess(43)), (Holds{true}));
   EXPECT_EQ(choose({first, second, third}, guess(43)), (Holds{false, false, false}));
