@@ -20,7 +20,7 @@ namespace edgevo {
 
 /// Follows a run, and adds constraints between its epochs to the log of its events. For one thread; memory:
 /// the last hundred keyframes of each epoch. Cost: nothing while a run has one epoch; then about 50 us for
-/// each keyframe that is measured, seven times at most.
+/// each of a hundred keyframes, each time that twice as many have been seen.
 class GroundLinks {
  public:
   /// `T_vehicle_cam`: mount of the camera, if known. `log`, not null: that whose events are followed.
