@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace edgevo {
 namespace {
@@ -48,6 +47,9 @@ Constraint in_world_unit(const Constraint& c, double scale_from, double fails, d
   if (fails > 0) place.failure = {fails, variance_of(times_as_uncertain) * place.covariance};
   return place;
 }
+
+bool measures_unit(const Constraint& c) { return std::isfinite(c.covariance(6, 6)); }
+bool measures_place(const Constraint& c) { return c.covariance.topLeftCorner<6, 6>().allFinite(); }
 
 Constraint with_uncertain_scale(Constraint c) {
   constexpr double kLeastVariance = 1e-12;

@@ -22,6 +22,10 @@ Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T
 Constraint in_world_unit(const Constraint& c, double scale_from, double fails, double times_as_uncertain);
 /// A constraint whose scale may fail: an exact one is uncertain by a millionth.
 Constraint with_uncertain_scale(Constraint constraint);
+/// Whether a constraint measures the unit.
+bool measures_unit(const Constraint& c);
+/// Whether it measures all of the place and the direction.
+bool measures_place(const Constraint& c);
 /// What a constraint says of the unit alone.
 Constraint of_scale_alone(const Constraint& c);
 

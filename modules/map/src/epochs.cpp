@@ -199,7 +199,6 @@ class Epochs::Solver {
   // ---- units ----
 
   // Depths that share a young or bent map have errors in common, which their spread does not show.
-  static bool measures_unit(const Reduced& r) { return std::isfinite(r.constraint.covariance(6, 6)); }
   static Constraint link_of_unit(const Reduced& r) {
     Constraint c = of_scale_alone(r.constraint);
     if (!c.failure)
@@ -217,7 +216,7 @@ class Epochs::Solver {
       if (is_joined(i)) relations.push_back({i - 1, i, of_scale_alone(join_of_segment(i))});
     }
     for (const Reduced& r : constraints_)
-      if (measures_unit(r))
+      if (measures_unit(r.constraint))
         id_of[relations.size()] = r.id, relations.push_back({r.from, r.to, link_of_unit(r)});
     const GraphSolution found = solve_units(relations);
     for (const int failed : found.failed) {
@@ -264,14 +263,11 @@ class Epochs::Solver {
     if (continues(i)) return continuity_of_place(i);
     return is_joined(i) ? std::optional(join_of_segment(i)) : std::nullopt;
   }
-  static bool measures_place(const Reduced& r) {
-    return r.constraint.covariance.topLeftCorner<6, 6>().allFinite();
-  }
   // Those whose unit is not contradicted.
   static std::vector<Reduced> links_of_places(const std::vector<Reduced>& all, const PlacedEpochs& by_units) {
     std::vector<Reduced> links;
     for (const Reduced& r : all)
-      if (measures_place(r) && !by_units.is_unused(r.id)) links.push_back(r);
+      if (measures_place(r.constraint) && !by_units.is_unused(r.id)) links.push_back(r);
     return links;
   }
   Constraint link_of_place(const Reduced& r) const {

@@ -32,8 +32,6 @@ std::vector<KeyframeInMap> sound(std::vector<KeyframeInMap> keyframes) {
   return keyframes;
 }
 
-bool measures_place(const Constraint& c) { return c.covariance.topLeftCorner<6, 6>().allFinite(); }
-
 // As they lie. In a doubt, or between two maps, as uncertain as a motion that is wrong.
 Constraint unsure_neighbours(Constraint c, int frames, double scale_sigma) {
   const double length = c.T_from_to.rigid.translation().norm();

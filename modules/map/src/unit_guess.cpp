@@ -4,20 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/map/scale_cost.h"
+
 namespace edgevo {
 namespace {
 
-// r^2 / sigma^2 + ln sigma^2 - 2 ln w of a mode (map_graph.h).
-double cost_of_mode(double r, double variance, double w) {
-  return r * r / variance + std::log(variance) - 2 * std::log(w);
-}
-
-double cost_of(const Constraint& c, double log_scale) {
-  const double r = log_scale - std::log(c.T_from_to.scale);
-  if (!c.failure || c.failure->probability == 0) return cost_of_mode(r, c.covariance(6, 6), 1);
-  return std::min(cost_of_mode(r, c.covariance(6, 6), 1 - c.failure->probability),
-                  cost_of_mode(r, c.failure->covariance(6, 6), c.failure->probability));
-}
+double residual(const Constraint& c, double log_scale) { return log_scale - std::log(c.T_from_to.scale); }
 
 // The epochs that get other units: those in [begin, end).
 struct Moved {
@@ -59,7 +51,7 @@ class Guess {
     double cost = 0;
     for (const UnitRelation* r : relations) {
       const double sign = moved.changes(*r) ? (moved.contains(r->to) ? 1 : -1) : 0;
-      cost += cost_of(r->constraint, log_scale(*r) + sign * change);
+      cost += scale_cost(r->constraint, residual(r->constraint, log_scale(*r) + sign * change));
     }
     return cost;
   }
@@ -71,7 +63,7 @@ class Guess {
     double least = cost_after(relations, moved, 0) - kLeastGain, best = 0;
     for (const UnitRelation* r : relations) {
       if (!moved.changes(*r)) continue;
-      const double off = std::log(r->constraint.T_from_to.scale) - log_scale(*r);
+      const double off = -residual(r->constraint, log_scale(*r));
       const double change = moved.contains(r->to) ? off : -off;
       const double cost = cost_after(relations, moved, change);
       if (cost < least) least = cost, best = change;

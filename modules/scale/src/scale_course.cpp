@@ -8,6 +8,7 @@
 
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/map/map_graph.h"
+#include "edgevo/map/scale_cost.h"
 
 namespace edgevo {
 namespace {
@@ -56,17 +57,10 @@ Constraint of_scale(NodeId from, NodeId to, double scale, double sigma, double f
   return c;
 }
 
-// Of a residual of the logarithm of the scale, in the mode that costs less.
-double cost_of(double residual, const Constraint& c) {
-  const double held = c.covariance(6, 6), failed = c.failure->covariance(6, 6), p = c.failure->probability;
-  const double square = residual * residual;
-  return std::min(square / held, square / failed + std::log(failed / held) + 2 * std::log((1 - p) / p));
-}
-
 // Without a choice: in the mode that costs less.
 Constraint in_better_mode(double residual, Constraint c) {
   const double square = residual * residual;
-  if (cost_of(residual, c) < square / c.covariance(6, 6)) c.covariance = c.failure->covariance;
+  if (scale_cost(c, residual) < square / c.covariance(6, 6)) c.covariance = c.failure->covariance;
   c.failure.reset();
   return c;
 }
@@ -216,11 +210,11 @@ std::vector<double> CourseGraph::guess() const {
       size_t best = 0;
       double least = k == 0 ? 0 : std::numeric_limits<double>::infinity();
       for (size_t j = 0; k > 0 && j < logs[k - 1].size(); ++j) {
-        const double cost = costs[k - 1][j] + (links_[k] ? cost_of(x - logs[k - 1][j], *links_[k]) : 0);
+        const double cost = costs[k - 1][j] + (links_[k] ? scale_cost(*links_[k], x - logs[k - 1][j]) : 0);
         if (cost < least) least = cost, best = j;
       }
       for (size_t i = first; i < next; ++i)
-        least += cost_of(x - std::log(measured_[i].T_from_to.scale), measured_[i]);
+        least += scale_cost(measured_[i], x - std::log(measured_[i].T_from_to.scale));
       costs[k].push_back(least), before[k].push_back(best);
     }
   }
