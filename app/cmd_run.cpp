@@ -17,10 +17,15 @@ namespace {
 
 struct RunArguments {
   RunRequest run;
-  std::string params_file, detector, edge_model, edge_folder, edge_map, mask, mcap = "poses";
+  std::string params_file, detector, edge_model, edge_folder, edge_map, loops, mask, mcap = "poses";
   std::vector<std::string> settings;
   bool view = false;
 };
+
+bool parse_on_off(const std::string& text, const std::string& option) {
+  if (text == "on" || text == "off") return text == "on";
+  throw InputError(option + " " + text, "is neither on nor off", "give one of them");
+}
 
 RunParams effective_params(const RunArguments& args) {
   RunParams params;
@@ -31,6 +36,7 @@ RunParams effective_params(const RunArguments& args) {
   if (!args.edge_model.empty()) params.odometry.edges.model = args.edge_model;
   if (!args.edge_folder.empty()) params.odometry.edges.folder = args.edge_folder;
   if (!args.mask.empty()) params.odometry.edges.mask = args.mask;
+  if (!args.loops.empty()) params.places.loops = parse_on_off(args.loops, "--loops");
   if (!args.edge_map.empty()) set_param("edge_map.mode=" + args.edge_map, visit);
   return params;
 }
@@ -110,6 +116,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option(
       "--edge-map", args->edge_map,
       "edge lines besides the points: off, keyframes (per keyframe), full (each 3D edge once; default)");
+  command->add_option(
+      "--loops", args->loops,
+      "recognise places seen before and correct the map by them: on (default) or off; off with "
+      "--forget");
   command
       ->add_option("--seed", args->run.seed,
                    "seed of all random numbers; synchronous runs with the same seed are bit-identical")

@@ -6,7 +6,7 @@
 #include <array>
 #include <opencv2/calib3d.hpp>
 
-#include "opencv_pose.h"
+#include "edgevo/opencv_bridge/opencv_pose.h"
 
 namespace edgevo {
 namespace {

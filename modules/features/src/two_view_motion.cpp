@@ -10,8 +10,8 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
+#include "edgevo/opencv_bridge/opencv_pose.h"
 #include "motion_of_essential.h"
-#include "opencv_pose.h"
 
 namespace edgevo {
 namespace {

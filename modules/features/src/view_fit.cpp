@@ -8,7 +8,7 @@
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/bundle_adjustment/gauge.h"
-#include "opencv_pose.h"
+#include "edgevo/opencv_bridge/opencv_pose.h"
 
 namespace edgevo {
 namespace {

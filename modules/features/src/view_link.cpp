@@ -8,8 +8,8 @@
 
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/features/two_view_motion.h"
+#include "edgevo/opencv_bridge/opencv_pose.h"
 #include "motion_of_essential.h"
-#include "opencv_pose.h"
 
 namespace edgevo {
 

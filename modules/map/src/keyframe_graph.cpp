@@ -6,17 +6,11 @@
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/motion_tolerance.h"
+#include "edgevo/map/path_drift.h"
 #include "epoch_constraints.h"
 
 namespace edgevo {
 namespace {
-
-// Of the logarithm of the unit, from one keyframe to the next, a random walk: 1 to 2 % over forty metres of
-// drives with a keyframe a metre.
-constexpr double kDrift = 0.002;
-// Of a relative pose, beyond what the adjustment knows: a share of its length, median depths of a first map,
-// and radians.
-constexpr double kShare = 0.01, kLeast = 0.002, kRotation = rad(0.1);
 
 NodeId node(int keyframe_id) { return NodeId::keyframe(keyframe_id); }
 
@@ -36,13 +30,11 @@ std::vector<KeyframeInMap> sound(std::vector<KeyframeInMap> keyframes) {
 Constraint unsure_neighbours(Constraint c, int frames, double scale_sigma) {
   const double length = c.T_from_to.rigid.translation().norm();
   const double tolerances = std::sqrt(double(std::max(1, frames)) / kMotionTolerance.frames);
-  c.covariance = covariance_of(std::max(length, kLeast), rad(kMotionTolerance.rotation_deg) * tolerances,
-                               std::hypot(kDrift, scale_sigma));
+  c.covariance = covariance_of(std::max(length, kLeastStep), rad(kMotionTolerance.rotation_deg) * tolerances,
+                               std::hypot(kUnitDrift, scale_sigma));
   return c;
 }
 
-// With the covariance that the adjustment of the window left, and with what it does not know of: the errors
-// that steps have in common.
 Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunSoFar& run,
                       const PlacedEpochs& placed) {
   Constraint c;
@@ -53,9 +45,7 @@ Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunS
                        placed.find(a.segment, a.id) == placed.find(b.segment, b.id);
   if (!is_sure)
     return unsure_neighbours(c, b.frame_index - a.frame_index, placed.find(b.segment, b.id)->scale_sigma);
-  c.covariance = covariance_of(kShare * c.T_from_to.rigid.translation().norm() + kLeast, kRotation, kDrift);
-  if (const std::optional<Matrix6d> known = run.covariance_between(a.id, b.id))
-    c.covariance.topLeftCorner<6, 6>() += *known;
+  c.covariance = step_covariance(c.T_from_to.rigid, run.covariance_between(a.id, b.id));
   return c;
 }
 

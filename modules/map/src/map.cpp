@@ -56,7 +56,7 @@ const Keyframe& Map::marginalise_oldest(std::vector<NeighbourPose> neighbours) {
   k.points = std::vector<MapPoint>(k.points);  // without spare capacity: it may stay for long
   auto record = std::make_shared<const KeyframeRecord>(make_record(k, segment_));
   stored_[k.id] = {segment_, record};
-  log_->append(KeyframeMarginalised{k.id, std::move(record), std::move(neighbours)});
+  log_->append(KeyframeMarginalised{k.id, std::move(record), std::move(neighbours), k.pyramid});
   return k;
 }
 

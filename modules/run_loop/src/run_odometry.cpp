@@ -6,6 +6,7 @@
 
 #include "edgevo/core/rectification.h"
 #include "edgevo/core/trace.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/run_loop/latency_stats.h"
@@ -44,11 +45,51 @@ class GroundFollower {
   MapCursor events_;
 };
 
+// What places that are seen again say of it: next to the frames, in a thread of its own where tracking and
+// mapping have theirs.
+class PlaceFollower {
+ public:
+  PlaceFollower(const ImageSource& source, const OdometryOptions& options, bool is_on) {
+    if (!is_on || options.forget) return;
+    memory_.emplace(rectification_of(source.camera(), options), options.map_log);
+    events_.emplace(options.map_log);
+    worker_ = std::make_unique<Worker>(worker_options(options));
+  }
+
+  void follow() {
+    if (!memory_) return;
+    std::vector<std::shared_ptr<const MapEvent>> events = events_->read();
+    worker_->submit([this, events = std::move(events)] {
+      for (const auto& event : events) memory_->apply(*event);
+    });
+  }
+  PlaceCounts finish() {
+    if (!memory_) return {};
+    follow();
+    worker_->wait_idle();
+    return memory_->counts();
+  }
+
+ private:
+  static WorkerOptions worker_options(const OdometryOptions& options) {
+    WorkerOptions worker;
+    worker.name = "places";
+    worker.own_thread = options.realtime;
+    worker.low_priority = true;
+    return worker;
+  }
+
+  std::optional<PlaceMemory> memory_;
+  std::optional<MapCursor> events_;
+  std::unique_ptr<Worker> worker_;  // the last one: its work uses the others
+};
+
 // What the loop works with, from the first frame to the last.
 struct RunLoop {
   LenientSource& source;
   Odometry& odometry;
   GroundFollower& ground;
+  PlaceFollower& places;
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
@@ -78,6 +119,7 @@ FrameRecord process(const RunLoop& loop, const Frame& frame) {
   loop.result->cpu_s += cpu_seconds([&] {
     record = loop.odometry.process(frame);
     loop.ground.follow();
+    loop.places.follow();
   });
   return record;
 }
@@ -156,14 +198,21 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   name_traced_thread("tracking");
   if (!options.map_log) options.map_log = std::make_shared<MapLog>();
   GroundFollower ground(source, options, requested.scale);
+  PlaceFollower places(source, options, requested.places.loops);
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{
-      lenient, odometry, ground, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
-  const auto finish = [&] { result.cpu_s += cpu_seconds([&] { result.run = odometry.finish(); }); };
+  const RunLoop loop{lenient, odometry, ground,   places,
+                     options, stop,     on_frame, [&] { return odometry.frame_view(); },
+                     &result};
+  const auto finish = [&] {
+    result.cpu_s += cpu_seconds([&] {
+      result.places = places.finish();
+      result.run = odometry.finish();
+    });
+  };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);
     constexpr size_t kKept = 2000;  // frames

@@ -43,8 +43,21 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info) {
   input.push_back(camera.decision());
 }
 
+std::string statement_of(const PlaceCounts& places) {
+  if (places.proved == 0) return "";
+  std::string text = std::to_string(places.stated) + " keyframes at places seen before, of " +
+                     std::to_string(places.queries) + " looked up";
+  if (places.beyond_drift > 0)
+    text += "; " + std::to_string(places.beyond_drift) + " matches rejected, too far from the path";
+  if (places.ambiguous > 0)
+    text += "; " + std::to_string(places.ambiguous) + " rejected, places that look alike";
+  return text;
+}
+
 void note_end(const RunResult& result, bool stopped, RunInfo* info) {
   info->interrupted = result.broken || stopped;
+  if (const std::string places = statement_of(result.places); !places.empty())
+    info->notes.emplace_back("places", places);
   if (result.skipped == 0) return;
   info->notes.emplace_back("left_out", std::to_string(result.skipped) +
                                            " frame(s) whose images or times could not be used; the first: " +

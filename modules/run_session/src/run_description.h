@@ -2,6 +2,7 @@
 #pragma once
 // The description of a run besides its records, for summary.yaml and the report.
 #include <memory>
+#include <string>
 
 #include "edgevo/calibration/auto_camera.h"
 #include "edgevo/edges/frame_pyramid.h"
@@ -17,6 +18,8 @@ using EgoMaskImage = std::shared_ptr<const Plane<uint8_t>>;
 RunInfo describe_run(const RunRequest& request, const ImageSource& source, const OdometryOptions& odometry);
 /// Replaces what the source says of its camera.
 void note_found_camera(const AutoCamera& camera, RunInfo* info);
+/// Which places were seen again, in one line; empty if none was.
+std::string statement_of(const PlaceCounts& places);
 /// How the run ended; `stopped`: by the user.
 void note_end(const RunResult& result, bool stopped, RunInfo* info);
 /// What was fixed to the camera at the end; null: nothing.

@@ -154,6 +154,7 @@ void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
   options.scale = request_.params.scale;
+  options.places = request_.params.places;
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;
@@ -202,6 +203,7 @@ void RunSession::look_for_up() {
 void RunSession::print_end() const {
   const size_t frames = result_.run.frames.size();
   if (host_.stop()) print(formatted("interrupted after %zu frames", frames));
+  if (const std::string places = statement_of(result_.places); !places.empty()) print(places);
   if (result_.skipped > 0)
     print(formatted("%d of %zu frames skipped; the first: ", result_.skipped, frames) +
           result_.first_skipped);

@@ -21,6 +21,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/sim3.h"
 #include "edgevo/core/stage_times.h"
+#include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/edges/image_motion.h"
 #include "edgevo/map/map_graph.h"
 
@@ -131,6 +132,8 @@ struct KeyframeMarginalised {
   std::shared_ptr<const KeyframeRecord> keyframe;
   /// The keyframes of the window that share points with it, ascending id.
   std::vector<NeighbourPose> neighbours;
+  /// Its images, for those who look at them now; null if they are gone. Not part of the stream on disk.
+  std::shared_ptr<const FramePyramid> pyramid = nullptr;
 };
 
 /// Why a map has moved.

@@ -10,6 +10,8 @@
 #include "edgevo/core/records.h"
 #include "edgevo/datasets/pace.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/places/place_memory.h"
+#include "edgevo/places/place_params.h"
 #include "edgevo/scale/scale_params.h"
 #include "edgevo/tracking/frame_view.h"
 
@@ -33,6 +35,8 @@ struct RunResult {
   double cpu_s = 0;
   /// Number of frames skipped because their images or times were unusable.
   int skipped = 0;
+  /// What became of the keyframes that were looked up among the places of the run.
+  PlaceCounts places;
   /// Reason why the first of the skipped frames was unusable; empty if none was skipped.
   std::string first_skipped;
   /// Exception that the source threw, if any: `run` then holds the frames before it.
@@ -57,6 +61,8 @@ struct RunLoopOptions {
   OdometryOptions odometry;
   /// How the ground is looked for (scale/ground_links.h).
   ScaleParams scale;
+  /// Whether places are recognised (places/place_memory.h); not in runs that forget.
+  PlaceParams places;
   /// Rate at which a realtime run receives its frames.
   Pace pace;
   /// What to do with a frame whose image or time is unusable.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Which places a view may show: two voters that fail differently. Corners that look alike, in an index of
+// their descriptors, and the signature of the whole view. Their ranks are added, over the views of a few
+// keyframes in a row. They only nominate; place_match.h proves.
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "edgevo/places/remembered_view.h"
+
+namespace edgevo {
+
+/// The views of all places, in the order in which they were seen. Numbers of views ascend from 0.
+class PlaceIndex {
+ public:
+  PlaceIndex();
+  ~PlaceIndex();
+  PlaceIndex(const PlaceIndex&) = delete;
+  PlaceIndex& operator=(const PlaceIndex&) = delete;
+
+  /// Adds a view; returns its number. Cost: about 0.3 ms.
+  int add(const RememberedView& view);
+  /// Number of views.
+  size_t size() const { return signatures_.size(); }
+
+  /// The likeliest views among those with numbers below `end`, likeliest first, none next to another one.
+  /// Successive calls are for successive views. Cost: about 2 ms at 1,000 views.
+  std::vector<int> candidates(const RememberedView& query, int end, size_t count);
+
+ private:
+  struct Corners;
+  std::vector<double> votes_by_corners(const RememberedView& query, size_t end) const;
+  std::vector<double> votes_by_signature(const RememberedView& query, size_t end) const;
+
+  std::unique_ptr<Corners> corners_;
+  std::vector<ViewSignature> signatures_;
+  std::vector<double> by_corners_, by_signature_;  // votes of the queries so far, by number of the view
+};
+
+}  // namespace edgevo

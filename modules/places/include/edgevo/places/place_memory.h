@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Recognises places that a run has seen before, and states them as constraints between keyframes. It measures
+// and moves nothing: the graph does (map/epochs.h).
+//
+// A keyframe that leaves the window is remembered, and looked up among those long before it. What is proved
+// of a pair of views (place_match.h) is believed if the path agrees, as far as it is known at all; if no
+// other place matches as well; and if the places of three keyframes in a row agree with each other.
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "edgevo/core/rectification.h"
+#include "edgevo/map/map_event.h"
+#include "edgevo/map/map_log.h"
+#include "edgevo/places/place_index.h"
+#include "edgevo/places/place_match.h"
+#include "edgevo/places/place_store.h"
+
+namespace edgevo {
+
+/// What became of the keyframes that were looked up.
+struct PlaceCounts {
+  /// Keyframes looked up, and the candidates for them.
+  int queries = 0, candidates = 0;
+  /// Pairs of views that were proved to show one place; of these, those that the path contradicts, and those
+  /// of keyframes that match places apart.
+  int proved = 0, beyond_drift = 0, ambiguous = 0;
+  /// Places stated as constraints.
+  int stated = 0;
+};
+
+/// Follows a run, and adds constraints between its keyframes to the log of its events. For one thread.
+/// Memory: about 60 kB a keyframe. Cost: some 10 ms a keyframe, and 20 ms for each place that is recognised.
+class PlaceMemory {
+ public:
+  /// `rectification`: from the images as they were taken to those that are worked on; `log`, not null: that
+  /// whose events are followed.
+  PlaceMemory(const Rectification& rectification, std::shared_ptr<MapLog> log);
+
+  /// Takes the next event of the run.
+  void apply(const MapEvent& event);
+  /// What was found so far.
+  const PlaceCounts& counts() const { return counts_; }
+
+ private:
+  struct Proved {
+    size_t place = 0, query = 0;  // positions in the store
+    PlaceMatch match;
+    bool is_stated = false;
+  };
+
+  void handle(const SegmentPlaced& e);
+  void handle(const EpochBegan& e);
+  void handle(const KeyframeMarginalised& e);
+  void handle(const MapMoved& e);
+  template <class Other>
+  void handle(const Other&) {}
+
+  void look_up(size_t query);
+  size_t end_of_places(size_t query) const;
+  std::vector<Proved> prove(size_t query, const std::vector<int>& views);
+  bool is_on_path(const Proved& p) const;
+  bool agree(const Proved& a, const Proved& b) const;
+  bool are_apart(const Proved& a, const Proved& b) const;
+  std::vector<Proved> possible(std::vector<Proved> found);
+  void believe(std::vector<Proved> found);
+  std::vector<Proved*> agreeing_with(Proved* newest);
+  void state(Proved* p);
+
+  const Rectification rectification_;
+  const std::shared_ptr<MapLog> log_;
+  PlaceStore store_;
+  std::vector<size_t> keyframe_of_;     // by number of the view in the index
+  std::vector<int> first_of_epoch_{0};  // id of the first keyframe of each epoch
+  PlaceIndex index_;
+  std::deque<std::vector<Proved>> recent_;  // of the last queries, the newest last
+  PlaceCounts counts_;
+};
+
+}  // namespace edgevo
