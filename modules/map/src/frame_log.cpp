@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/frame_log.h"
 
+#include <chrono>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -8,8 +9,13 @@
 
 namespace edgevo {
 
-FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history)
-    : log_(std::move(log)), history_(history), cursor_(log_), run_(rectification) {
+FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history,
+                   bool own_thread)
+    : log_(std::move(log)),
+      history_(history),
+      cursor_(log_),
+      run_(rectification),
+      placer_(WorkerOptions{"map graph", 1, own_thread, true, true}) {
   newest_.frame.index = -1;
 }
 
@@ -45,6 +51,7 @@ void FrameLog::constrain_scale(const std::function<bool(const FrameRecord&)>& co
 
 // Within one epoch it says nothing of where the epochs lie.
 bool FrameLog::relates_epochs(const Constraint& c) const {
+  if (c.from == NodeId::world()) return false;
   const auto from = run_.find_keyframe(c.from.number()), to = run_.find_keyframe(c.to.number());
   if (!from || !to || from->segment != to->segment) return true;
   return placed_.find(from->segment, from->id) != placed_.find(to->segment, to->id);
@@ -62,9 +69,13 @@ void FrameLog::follow(const Constraint& c) {
 
 void FrameLog::follow(const MapEvent& event) {
   const auto* added = std::get_if<ConstraintAdded>(&event);
-  has_found_more_ |=
-      added ? relates_epochs(added->constraint) : std::holds_alternative<ConstraintWithdrawn>(event);
-  if (added) follow(added->constraint);
+  has_found_more_ |= std::holds_alternative<ConstraintWithdrawn>(event);
+  if (!added) return;
+  if (relates_epochs(added->constraint))
+    has_found_more_ = true;
+  else if (added->constraint.kind == ConstraintKind::kPlace)
+    knows_places_ = true, ++places_found_;
+  follow(added->constraint);
 }
 
 FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Reference& reference,
@@ -119,14 +130,38 @@ void FrameLog::add_constraint(const Constraint& constraint) {
   run();
 }
 
-void FrameLog::place_epochs(int segment) {
+// So that all solutions together take a share of the run's time, the more keyframes a run has, the more
+// places wait for each.
+bool FrameLog::are_places_due() const {
+  constexpr size_t kKeyframesPerPlace = 40;
+  return places_found_ > run_.keyframes() / kKeyframesPerPlace;
+}
+
+void FrameLog::follow_findings(int segment) {
+  run();
+  if (!placing_ && (has_found_more_ || are_places_due())) {
+    has_found_more_ = false;
+    places_found_ = 0;
+    if (!knows_places_) return announce(run_.place_epochs(), segment);
+    placing_ = placer_.begin(run_.keyframes_to_place());
+  }
+  if (!placing_ || placing_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  PlacedEpochs placed = placing_->get();
+  placing_.reset();
+  // An epoch that has begun meanwhile is not in it.
+  if (placed.epochs.size() == run_.epochs())
+    announce(std::move(placed), segment);
+  else
+    has_found_more_ = true;
+}
+
+void FrameLog::announce(PlacedEpochs found, int segment) {
   // Of the newest frame; a replayed one is in the run already.
   const bool is_newest = newest_.anchor && newest_.frame.segment == segment;
   const std::optional<SE3> T_cam_map =
       is_newest ? newest_.anchor->T_cam_map : run().pose_before(std::numeric_limits<int>::max(), segment);
-  run();
-  has_found_more_ = false;
-  EpochsPlaced placed = run_.follow_epochs(segment, T_cam_map.value_or(SE3()).inverse().translation());
+  EpochsPlaced placed =
+      run_.follow_epochs(std::move(found), segment, T_cam_map.value_or(SE3()).inverse().translation());
   placed_.epochs = placed.epochs;
   world_ = {placed.T_world_odom, world_.changes + 1,
             placed_.find(segment, std::numeric_limits<int>::max())->scale_sigma};

@@ -49,6 +49,16 @@ Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunS
   return c;
 }
 
+// From the world of the run to that of a kept map, where a keyframe has been found in one: a guess.
+Sim3 into_kept_map(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
+                   const PlacedEpochs& placed) {
+  for (const auto& [id, c] : constraints)
+    for (const KeyframeInMap& k : keyframes)
+      if (c.from == NodeId::world() && c.to == node(k.id))
+        return c.T_from_to * T_world_cam(k, placed).inverse();
+  return {};
+}
+
 // One that can be mistaken, unless it says how it may fail.
 Constraint place(const Constraint& given) {
   Constraint c = with_uncertain_scale(given);
@@ -60,6 +70,7 @@ Constraint place(const Constraint& given) {
 
 // Features link the ends of a doubt: within one epoch they show what tracking had.
 bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const RunSoFar& run) {
+  if (c.from == NodeId::world()) return measures_place(c) && run.keyframe(c.to.number());
   if (!measures_place(c) || c.kind == ConstraintKind::kFeatures) return false;
   const auto from = run.keyframe(c.from.number()), to = run.keyframe(c.to.number());
   if (!from || !to) return false;
@@ -72,7 +83,8 @@ void place_keyframes(const std::map<int, Constraint>& constraints, const std::ve
   const std::vector<KeyframeInMap> keyframes = sound(known);
   if (keyframes.empty()) return;
   MapGraph graph;
-  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_world_cam(k, *placed));
+  const Sim3 T_kept_world = into_kept_map(constraints, keyframes, *placed);
+  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_kept_world * T_world_cam(k, *placed));
   for (size_t i = 1; i < keyframes.size(); ++i)
     graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
   std::map<int, int> id_of;  // by number in the graph

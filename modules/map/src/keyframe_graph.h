@@ -3,7 +3,8 @@
 // The places of the keyframes themselves, where a constraint relates two keyframes of one epoch: a place seen
 // again. The epochs are placed; each keyframe then is a node with a unit of its own, tied to the next one by
 // their relative pose (NeighbourPose) and a unit that drifts. What the constraint contradicts is spread along
-// the path between its ends.
+// the path between its ends. Where keyframes are found in a map that was kept, all come into its frame and
+// unit.
 #include <map>
 #include <vector>
 
@@ -11,7 +12,8 @@
 
 namespace edgevo {
 
-/// Whether a constraint relates two known keyframes of one epoch in their place.
+/// Whether a constraint relates two known keyframes of one epoch in their place, or one to a map that was
+/// kept.
 bool relates_within_epoch(const Constraint& constraint, const PlacedEpochs& placed, const RunSoFar& run);
 
 /// Places the keyframes of the run anew: PlacedEpochs::own of each, and the map of the last epoch as its

@@ -64,7 +64,8 @@ void MapLog::append(MapEvent event) {
 int MapLog::add_constraint(const Constraint& constraint) {
   check_constraint(constraint);
   const std::lock_guard<std::mutex> lock(impl_->mutex);
-  for (const NodeId id : {constraint.from, constraint.to}) impl_->require_keyframe(id);
+  if (constraint.from != NodeId::world()) impl_->require_keyframe(constraint.from);
+  impl_->require_keyframe(constraint.to);
   const int id = impl_->next_constraint++;
   impl_->constraints.insert(id);
   impl_->append(std::make_shared<const MapEvent>(ConstraintAdded{id, constraint}));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/run_builder.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -33,9 +32,7 @@ std::string in_words(SegmentPlaced::Method method) {
   return {};
 }
 
-KeyframeInMap in_map(const WindowAdjusted::Active& k) {
-  return {k.id, k.keyframe.segment, k.keyframe.frame_index, k.keyframe.T_world_cam};
-}
+double doubt_of(const FrameRecord& frame) { return std::isfinite(frame.p_right) ? 1 - frame.p_right : 1; }
 
 void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
   const float ratio = float(move.scale_ratio);
@@ -87,7 +84,7 @@ void RunBuilder::apply(const MapEvent& event) {
 void RunBuilder::handle(const SegmentPlaced& e) {
   if (e.segment < 0 || size_t(e.segment) > T_odom_map_.size()) return;  // in a damaged log only
   if (!is_known(e.segment)) {
-    epochs_.begin_segment(e, T_odom_map_.empty() ? Sim3() : T_odom_map_.back());
+    path_.epochs.begin_segment(e, T_odom_map_.empty() ? Sim3() : T_odom_map_.back());
     T_odom_map_.resize(size_t(e.segment) + 1);
   }
   T_odom_map_[size_t(e.segment)] = e.T_world_map;
@@ -101,19 +98,19 @@ void RunBuilder::handle(const EpochsPlaced& e) {
 
 void RunBuilder::handle(const KeyframeMarginalised& e) {
   add_keyframe(e.id, e.keyframe);
-  if (!forgets() && !e.neighbours.empty()) neighbours_[e.id] = e.neighbours.front();
+  if (!forgets() && !e.neighbours.empty()) path_.neighbours[e.id] = e.neighbours.front();
 }
 
 void RunBuilder::add_keyframe(int id, std::shared_ptr<const KeyframeRecord> keyframe) {
   if (!is_known(keyframe->segment)) return;
-  places_[id] = {id, keyframe->segment, keyframe->frame_index, keyframe->T_world_cam};
+  path_.marginalised[id] = {id, keyframe->segment, keyframe->frame_index, keyframe->T_world_cam};
   if (!forgets()) keyframes_[id].keyframe = std::move(keyframe);
 }
 
 void RunBuilder::handle(const MapMoved& e) {
   ++moves_;
   for (const KeyframeMove& move : e.keyframes)
-    if (const auto place = places_.find(move.id); place != places_.end())
+    if (const auto place = path_.marginalised.find(move.id); place != path_.marginalised.end())
       place->second.T_map_cam = e.T_cam_map(move).inverse();
   if (forgets()) return;
   const double image_ratio = e.lens ? (1 + e.lens->before.focal) / (1 + e.lens->now.focal) : 1;
@@ -159,72 +156,51 @@ void RunBuilder::handle(const FrameAnchored& e) {
 
 // But those that constraints refer to, or may.
 void RunBuilder::forget_places_before(int frame_index) {
-  for (auto place = places_.begin(); place != places_.end() && place->second.frame_index < frame_index;)
-    place = kept_.count(place->first) > 0 || epochs_.refers_to(place->first) ? std::next(place)
-                                                                             : places_.erase(place);
+  for (auto place = path_.marginalised.begin();
+       place != path_.marginalised.end() && place->second.frame_index < frame_index;)
+    place = kept_.count(place->first) > 0 || path_.epochs.refers_to(place->first)
+                ? std::next(place)
+                : path_.marginalised.erase(place);
 }
 
 // ---- epochs ----
 
-std::optional<KeyframeInMap> RunBuilder::find_keyframe(int id) const {
-  if (const auto known = places_.find(id); known != places_.end()) return known->second;
-  for (const WindowAdjusted::Active& k : active_keyframes())
-    if (k.id == id) return in_map(k);
-  return std::nullopt;
-}
-
-std::vector<KeyframeInMap> RunBuilder::find_keyframes(int segment, int first, int last) const {
-  std::map<int, KeyframeInMap> found;
-  for (auto k = places_.lower_bound(first); k != places_.end() && k->first <= last; ++k)
-    if (k->second.segment == segment) found.insert(*k);
-  for (const WindowAdjusted::Active& k : active_keyframes())
-    if (k.id >= first && k.id <= last && k.keyframe.segment == segment) found.emplace(k.id, in_map(k));
-  std::vector<KeyframeInMap> keyframes;
-  for (const auto& [id, keyframe] : found) keyframes.push_back(keyframe);
-  return keyframes;
-}
-
-const std::vector<WindowAdjusted::Active>& RunBuilder::active_keyframes() const {
-  static const std::vector<WindowAdjusted::Active> none;
-  return window_.keyframes ? *window_.keyframes : none;
-}
-
 double RunBuilder::doubt_between(int frame, int later_frame) const {
   double doubt = 0;
   for (auto next = position_.upper_bound(frame); next != position_.end() && next->first <= later_frame;
-       ++next) {
-    const double p_right = row(next->second).frame.p_right;
-    doubt += std::isfinite(p_right) ? 1 - p_right : 1;
-  }
+       ++next)
+    doubt += doubt_of(row(next->second).frame);
   return doubt;
 }
 
 RunSoFar RunBuilder::run_so_far() const {
-  return {[this](int id) { return find_keyframe(id); },
-          [this](int segment, int first, int last) { return find_keyframes(segment, first, last); },
-          [this](int id, int later_id) { return covariance_between(id, later_id); },
-          [this](int frame, int later_frame) { return doubt_between(frame, later_frame); }};
+  return path_.run_so_far([this](int frame, int later_frame) { return doubt_between(frame, later_frame); });
 }
 
-// Rounding may leave it without symmetry, or indefinite.
-std::optional<Matrix6d> RunBuilder::covariance_between(int id, int later_id) const {
-  const auto known = neighbours_.find(id);
-  if (known == neighbours_.end() || known->second.id != later_id) return std::nullopt;
-  const Matrix6d& c = known->second.covariance;
-  const Matrix6d symmetric = 0.5 * (c + c.transpose());
-  if (!symmetric.allFinite() || Eigen::LLT<Matrix6d>(symmetric).info() != Eigen::Success) return std::nullopt;
-  return symmetric;
+PlacedEpochs RunBuilder::place_keyframes() const {
+  return path_.epochs.solve_keyframes(run_so_far(), path_.keyframes());
 }
 
-std::vector<KeyframeInMap> RunBuilder::all_keyframes() const {
-  std::vector<KeyframeInMap> all;
-  for (const auto& [id, keyframe] : places_) all.push_back(keyframe);
-  return all;
+// Doubts matter between epochs alone.
+std::function<PlacedEpochs()> RunBuilder::keyframes_to_place() const {
+  auto path = std::make_shared<const RunPath>(path_);
+  std::map<int, double> doubts;  // by frame, the sum up to it
+  if (path_.epochs.count() > 1)
+    for (const auto& [frame, number] : position_)
+      doubts[frame] = (doubts.empty() ? 0 : doubts.rbegin()->second) + doubt_of(row(number).frame);
+  return [path, doubts = std::move(doubts)] {
+    const auto up_to = [&](int frame) {
+      const auto after = doubts.upper_bound(frame);
+      return after == doubts.begin() ? 0.0 : std::prev(after)->second;
+    };
+    const auto doubt = [&](int frame, int later_frame) { return up_to(later_frame) - up_to(frame); };
+    return path->epochs.solve_keyframes(path->run_so_far(doubt), path->keyframes());
+  };
 }
 
 // T_odom_map' p = s' R p + t'  with the scale s' that was found, and t' such that the newest pose stays.
-EpochsPlaced RunBuilder::follow_epochs(int segment, const Eigen::Vector3d& newest_position) const {
-  PlacedEpochs placed = place_epochs();
+EpochsPlaced RunBuilder::follow_epochs(PlacedEpochs placed, int segment,
+                                       const Eigen::Vector3d& newest_position) const {
   const Sim3 T_world_map = placed.find(segment, std::numeric_limits<int>::max())->T_world_map;
   const Sim3& before = T_odom_map(segment);
   Sim3 T_odom_map{T_world_map.scale, SE3(before.rigid.rotation(), Eigen::Vector3d::Zero())};
@@ -279,9 +255,9 @@ std::optional<SE3> RunBuilder::pose_before(int frame_index, int segment) const {
 // ---- the end ----
 
 size_t RunBuilder::adopt_window() {
-  if (!window_.keyframes || window_.moves != moves_) return 0;
+  if (!path_.window.keyframes || path_.window.moves != moves_) return 0;
   const size_t before = keyframes_.size();
-  for (const WindowAdjusted::Active& active : *window_.keyframes)
+  for (const WindowAdjusted::Active& active : *path_.window.keyframes)
     if (keyframes_.count(active.id) == 0 && position_.count(active.keyframe.frame_index) > 0)
       add_keyframe(active.id, std::make_shared<const KeyframeRecord>(active.keyframe));
   return keyframes_.size() - before;
@@ -358,17 +334,18 @@ std::vector<EpochRecord> RunBuilder::epoch_records(const PlacedEpochs& placed) c
 
 std::vector<ConstraintRecord> RunBuilder::constraint_records(const PlacedEpochs& placed) const {
   std::vector<ConstraintRecord> records;
-  for (const auto& [id, c] : epochs_.constraints()) {
-    const auto from = find_keyframe(c.from.number()), to = find_keyframe(c.to.number());
-    if (!from || !to) continue;
-    records.push_back({to_string(c.kind), from->frame_index, to->frame_index, c.T_from_to.scale,
-                       std::sqrt(c.covariance(6, 6)), !placed.is_unused(id)});
+  for (const auto& [id, c] : path_.epochs.constraints()) {
+    const bool is_in_kept_map = c.from == NodeId::world();
+    const auto from = path_.find(c.from.number()), to = path_.find(c.to.number());
+    if ((!from && !is_in_kept_map) || !to) continue;
+    records.push_back({to_string(c.kind), is_in_kept_map ? -1 : from->frame_index, to->frame_index,
+                       c.T_from_to.scale, std::sqrt(c.covariance(6, 6)), !placed.is_unused(id)});
   }
   return records;
 }
 
 Run RunBuilder::finish() {
-  const PlacedEpochs placed = epochs_.solve_keyframes(run_so_far(), all_keyframes());
+  const PlacedEpochs placed = place_keyframes();
   Run run;
   run.pinhole = rectification_.target();
   run.camera = camera_;

@@ -47,7 +47,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       working(rectification.target()),
       state(p.recovery.max_frames, p.status),
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
-      frames(rectification, log, &history),
+      frames(rectification, log, &history, o.realtime),
       adjustments(log),
       confidence(p.health.confidence),
       scales(working, o.realtime),
@@ -86,7 +86,7 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
 // What others have found since the frame before, whose pose stays.
 void Odometry::Impl::follow_findings() {
   frames.run();
-  if (state.has_map() && frames.has_found_more()) frames.place_epochs(state.segment());
+  if (state.has_map()) frames.follow_findings(state.segment());
 }
 
 const FrameRecord& Odometry::Impl::follow(const Frame& frame) {

@@ -66,7 +66,7 @@ void add_links(const Run& run, const ShownPath& path, Plan* plan) {
 }
 
 std::string frames_in_words(int first, int last) {
-  return std::to_string(first) + " to " + std::to_string(last);
+  return (first < 0 ? "the map" : std::to_string(first)) + " to " + std::to_string(last);
 }
 std::string ratio_in_words(double ratio) { return std::isfinite(ratio) ? fixed(ratio, 3) : ""; }
 std::string sigma_in_words(double sigma) { return std::isfinite(sigma) ? fixed(100 * sigma, 1) + " %" : ""; }

@@ -271,7 +271,7 @@ struct EpochRecord {
 struct ConstraintRecord {
   /// What shows it, as in the messages: "features", ...
   std::string kind;
-  /// Indices in the source of the frames of the keyframes.
+  /// Indices in the source of the frames of the keyframes; from_frame -1: a map that was kept.
   int from_frame = 0, to_frame = 0;
   /// Length in the map of the first over the same length in that of the second, as measured there.
   double scale = 1;

@@ -80,6 +80,8 @@ class Epochs {
   /// A constraint is none.
   void withdraw(int id) { constraints_.erase(id); }
 
+  /// Number of epochs.
+  size_t count() const { return epochs_.size(); }
   /// The constraints, by their numbers in the run.
   const std::map<int, Constraint>& constraints() const { return constraints_; }
   /// Whether a keyframe is one that a constraint or an epoch refers to.

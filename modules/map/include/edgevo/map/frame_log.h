@@ -3,6 +3,7 @@
 // The tracking side's end of the stream of events: announces frames and segments, and reads back the run that
 // all events so far make.
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/motion_history.h"
 #include "edgevo/core/records.h"
+#include "edgevo/core/worker.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/map/run_builder.h"
 
@@ -31,7 +33,10 @@ struct WorldOfOdometry {
 class FrameLog {
  public:
   /// `log`, not null, receives the events, and `history`, which must outlive this object, the frames.
-  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history);
+  /// `own_thread`: places that are seen again are solved for in a thread of its own; what they move, moves
+  /// when that is done.
+  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history,
+           bool own_thread = false);
 
   /// Keeps the newest frames only: those of a long bootstrap, and of the poses before a loss.
   void forget() {
@@ -63,11 +68,15 @@ class FrameLog {
   void begin_epoch(const EpochBegan& began);
   /// Announces a constraint between keyframes.
   void add_constraint(const Constraint& constraint);
-  /// Whether something was found about the past since place_epochs(), by whomever.
-  bool has_found_more() const { return has_found_more_; }
-  /// Announces where the epochs lie by now. Live poses of `segment`, that of the newest frame, have its unit
-  /// from the next frame on.
-  void place_epochs(int segment);
+  /// Announces where the epochs lie, if something was found about the past since the last time, by whomever,
+  /// or a solution has become ready. Live poses of `segment`, that of the newest frame, have its unit from
+  /// the next frame on.
+  void follow_findings(int segment);
+  /// The same: an epoch has begun.
+  void place_epochs(int segment) {
+    has_found_more_ = true;
+    follow_findings(segment);
+  }
   /// World over map of the epoch of a keyframe, as announced last.
   double scale_of(int segment, int keyframe_id) const;
 
@@ -84,6 +93,8 @@ class FrameLog {
   void follow(const MapEvent& event);
   void follow(const Constraint& constraint);
   bool relates_epochs(const Constraint& constraint) const;
+  bool are_places_due() const;
+  void announce(PlacedEpochs placed, int segment);
   void constrain_scale(const std::function<bool(const FrameRecord&)>& concerns, const RelativeScale& unit);
 
   std::shared_ptr<MapLog> log_;
@@ -94,6 +105,10 @@ class FrameLog {
   std::map<int, FrameAnchored> unlinked_;  // by frame; also those that only the ground links
   PlacedEpochs placed_;                    // as announced last
   bool has_found_more_ = false;
+  size_t places_found_ = 0;  // within an epoch, since the last solution
+  bool knows_places_ = false;
+  std::optional<std::future<PlacedEpochs>> placing_;
+  Worker placer_;
   WorldOfOdometry world_;
 };
 

@@ -29,7 +29,8 @@ class MapLog {
   /// does everything that finds out about the past: ground, other sensors, places seen again, from any thread
   /// and without knowing of each other. Live poses do not jump; what is final moves (map/epochs.h) from the
   /// next frame on. State a place from the earlier keyframe to the later one: only then is it tested whether
-  /// it looks alike. Between epochs Constraint::failure counts for the unit alone. Throws
+  /// it looks alike. Between epochs Constraint::failure counts for the unit alone. From the world to a
+  /// keyframe: where it lies in a map that was kept, whose frame and unit the run then has. Throws
   /// std::invalid_argument, and changes nothing, if an end is no keyframe that was announced, or as
   /// check_constraint().
   int add_constraint(const Constraint& constraint);
