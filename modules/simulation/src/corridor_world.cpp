@@ -19,7 +19,7 @@ class CorridorBuilder {
       : site_(site),
         b_(site.build),
         random_(b_.random()),
-        corridors_(streets_of(site.params.waypoints, 2, kHalf, 0)),
+        corridors_(streets_of(street_legs(site.params), 2, kHalf, 0)),
         wall_(b_.texture(site.walls.front(), 0)),
         paint_(b_.texture("stripes", 1)) {
     for (size_t i = 0; i < corridors_.size(); ++i)

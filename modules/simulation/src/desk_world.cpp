@@ -8,6 +8,9 @@
 namespace edgevo {
 namespace {
 
+// The walls of the room, from the middle of the desk, metres.
+constexpr double kBack = -1.5, kSide = 3.2, kFront = 4.5;
+
 class DeskBuilder {
  public:
   explicit DeskBuilder(Site& site)
@@ -23,6 +26,7 @@ class DeskBuilder {
     monitors();
     things();
     furniture();
+    if (site_.params.waypoints.size() > 2) other_walls();
   }
 
  private:
@@ -30,7 +34,7 @@ class DeskBuilder {
   void room() {
     const int wall = b_.texture(site_.walls.front(), 0), floor = b_.texture("carpet", 0),
               wood = b_.texture("wood", 1);
-    const double back = -1.5, side = 3.2, front = 4.5, height = 2.8;
+    const double back = kBack, side = kSide, front = kFront, height = 2.8;
     b_.tile(desk_.point(-side, back, 0), 2 * side * desk_.right, (front - back) * desk_.out, floor);
     b_.tile(desk_.point(-side, front, height), 2 * side * desk_.right, -(front - back) * desk_.out, wall)
         .gain = 1.1f;
@@ -138,6 +142,32 @@ class DeskBuilder {
     for (int i = 0; i < 3; ++i)
       b_.card(desk_.moved(1.25, -1.1, 0.3), 0.9, 1.1, 1.05 * i, b_.texture("crown", 0));
     b_.prism(desk_.moved(1.25, -1.1, 0), 0.16, 0.35, 10, b_.texture("mug", 2));
+  }
+
+  // What one sees who looks away from the desk.
+  void other_walls() {
+    constexpr double kQuarter = 3.14159265358979 / 2, kMiddle = (kFront + kBack) / 2;
+    furnish(desk_.moved(-kSide, kMiddle, 0, kQuarter), (kFront - kBack) / 2 - 1);
+    furnish(desk_.moved(0, kFront, 0, 2 * kQuarter), kSide - 0.3);
+    furnish(desk_.moved(kSide, kMiddle, 0, -kQuarter), (kFront - kBack) / 2 - 1);
+  }
+  // From -half to half along a wall: shelves, a door now and then, posters.
+  void furnish(const LocalFrame& wall, double half) {
+    const int wood = b_.texture("wood", 1);
+    for (double r = -half; r + 1.2 < half; r += random_.uniform(1.2, 1.6)) {
+      const double what = random_.uniform();
+      if (what < 0.2) {
+        b_.wall(wall, r, r + 0.95, 0, 2.05, 0.03, b_.any_texture("door", 5), false);
+        continue;
+      }
+      if (what < 0.75) {
+        const double height = random_.uniform(0.7, 1.1);
+        b_.box(wall, {r, r + 1.1, 0, 0.32, 0, height}, wood, wood, b_.any_texture("shelf", 4));
+        books(wall.moved(r + 0.4, 0.16, height), 3);
+      }
+      const double z = random_.uniform(1.3, 1.5);
+      b_.wall(wall, r + 0.2, r + 0.85, z, z + 0.9, 0.01, b_.any_texture("poster", 6), false);
+    }
   }
 
   Site& site_;

@@ -25,17 +25,40 @@ Points flat(const std::vector<Eigen::Vector3d>& points, const std::string& where
   return out;
 }
 
-// The path shifted to the right by `offset`: each corner moves to where the shifted legs meet.
-Points shifted(const Points& path, double offset) {
+constexpr double kLaneChange = 12;  // metres in which the offset of the second lap is taken up
+
+// Where the legs before and after point i meet, shifted to the right by `offset`.
+Eigen::Vector2d shifted_corner(const Points& path, size_t i, double offset) {
+  const Eigen::Vector2d in = i > 0 ? (path[i] - path[i - 1]).normalized() : (path[1] - path[0]).normalized();
+  const Eigen::Vector2d on = i + 1 < path.size() ? (path[i + 1] - path[i]).normalized() : in;
+  const Eigen::Vector2d right = -left_of(in) - left_of(on);
+  return path[i] + 2 * offset * right / std::max(0.5, right.squaredNorm());
+}
+
+// The path shifted to the right, on the second lap by more.
+Points shifted(const Points& path, const MotionParams& m) {
+  const size_t lap = m.second_lap > 0 ? size_t(m.second_lap) : path.size();
   Points out;
   for (size_t i = 0; i < path.size(); ++i) {
-    const Eigen::Vector2d in =
-        i > 0 ? (path[i] - path[i - 1]).normalized() : (path[1] - path[0]).normalized();
-    const Eigen::Vector2d on = i + 1 < path.size() ? (path[i + 1] - path[i]).normalized() : in;
-    const Eigen::Vector2d right = -left_of(in) - left_of(on);
-    out.push_back(path[i] + 2 * offset * right / std::max(0.5, right.squaredNorm()));
+    out.push_back(shifted_corner(path, i, m.lane_offset + (i > lap ? m.second_offset : 0)));
+    if (i != lap || m.second_offset == 0) continue;
+    const Eigen::Vector2d on = (path[i + 1] - path[i]).normalized();
+    out.push_back(path[i] + kLaneChange * on - (m.lane_offset + m.second_offset) * left_of(on));
   }
   return out;
+}
+
+void check_second_lap(const MotionParams& m, const Points& path, const std::string& where) {
+  if (m.second_lap == 0) return;
+  const size_t lap = size_t(m.second_lap);
+  if (lap + 1 >= path.size())
+    throw InputError(where,
+                     "no leg follows waypoint " + std::to_string(lap) + ", where the second lap begins",
+                     "make motion.second_lap smaller");
+  const Eigen::Vector2d in = (path[lap] - path[lap - 1]).normalized(), on = path[lap + 1] - path[lap];
+  if (m.second_offset != 0 && (std::abs(cross(in, on.normalized())) > 1e-3 || in.dot(on) < 2 * kLaneChange))
+    throw InputError(where, "the second lap does not begin on a straight of 24 m",
+                     "begin it at a waypoint within a straight, or remove motion.second_offset");
 }
 
 void append_line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Points* out) {
@@ -124,8 +147,9 @@ void limit_speed(const MotionParams& m, double stop_at, SampledPath* path) {
 SampledPath make_path(const SceneParams& params, double stop_share, const std::string& where) {
   const MotionParams& m = params.motion;
   SampledPath path;
-  path.points = smoothed(rounded(shifted(flat(params.waypoints, where), m.lane_offset), m.turn_radius, where),
-                         0.35 * m.turn_radius);
+  const Points flat_path = flat(params.waypoints, where);
+  check_second_lap(m, flat_path, where);
+  path.points = smoothed(rounded(shifted(flat_path, m), m.turn_radius, where), 0.35 * m.turn_radius);
   path.gone.push_back(0);
   for (size_t i = 1; i < path.points.size(); ++i)
     path.gone.push_back(path.gone.back() + (path.points[i] - path.points[i - 1]).norm());

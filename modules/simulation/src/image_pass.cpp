@@ -19,6 +19,7 @@ class ImagePass {
       : pinhole_(scene.camera.pinhole()), rays_(rays), rows_(rows), row_(pinhole_.width, kSamples) {
     context_ = {float(1 / pinhole_.fx), float(1 / pinhole_.fy), scene.world->sky.gray,
                 float(scene.world->sky.haze_per_metre)};
+    if (scene.light_change) set_light(*scene.light_change, at);
     has_clouds_ = scene.world->sky.texture >= 0;
     if (rays.has_faces()) {
       add_faces(scene, at);
@@ -40,6 +41,18 @@ class ImagePass {
   }
 
  private:
+  void set_light(const LightChange& change, const Instant& at) {
+    const float share = float(change.share(at.seconds));
+    const auto mix = [&](float a, float b) { return (1 - share) * a + share * b; };
+    const Light &first = change.first, &second = change.second;
+    context_.haze_gray = mix(first.sky_gray, second.sky_gray);
+    context_.haze_per_metre = mix(first.haze_per_metre, second.haze_per_metre);
+    context_.exposure = mix(first.exposure, second.exposure);
+    context_.shadows[0] = first.shadow.get(), context_.shadows[1] = second.shadow.get();
+    context_.weights[0] = 1 - share, context_.weights[1] = share;
+    context_.eye = at.T_scene_cam.translation().head<2>().cast<float>();
+  }
+
   // Calls `take` for each row, once it is known what its samples meet.
   template <class Take>
   void for_rows(const Take& take) {

@@ -68,25 +68,62 @@ std::vector<SE3> drive(const SceneParams& params, Random random, const std::stri
   return poses;
 }
 
-// Moves about the first waypoint, always looking near the second. Time is scaled to give the requested mean
-// speed.
+// From angle a to angle b, the shorter way round.
+double turned(double a, double b, double share) { return a + share * std::remainder(b - a, rad(360)); }
+
+// A view of a hand-held camera: where it is held, and the point at which it looks.
+struct HeldView {
+  Eigen::Vector3d eye, target;
+  double yaw_from(const Eigen::Vector3d& p) const {
+    return std::atan2(target.y() - p.y(), target.x() - p.x());
+  }
+  double down_from(const Eigen::Vector3d& p) const {
+    const Eigen::Vector3d view = target - p;
+    return std::atan2(-view.z(), view.head<2>().norm());
+  }
+};
+
+// The pairs of waypoints, held one after the other; staying and passing to the next take equally long.
+class HeldViews {
+ public:
+  explicit HeldViews(const std::vector<Eigen::Vector3d>& waypoints) {
+    for (size_t i = 0; i + 1 < waypoints.size(); i += 2) views_.push_back({waypoints[i], waypoints[i + 1]});
+  }
+  // Where the camera is and looks after a share of the time, moved by `off`.
+  void at(double share, const Eigen::Vector3d& off, Eigen::Vector3d* p, double* yaw, double* down) const {
+    const double part = std::clamp(share, 0.0, 1.0) * double(2 * views_.size() - 1);
+    const size_t i = std::min(size_t(part / 2), views_.size() - 1), next = std::min(i + 1, views_.size() - 1);
+    const double t = std::clamp(part - double(2 * i) - 1, 0.0, 1.0), passed = t * t * (3 - 2 * t);
+    *p = views_[i].eye + passed * (views_[next].eye - views_[i].eye) + off;
+    *yaw = turned(views_[i].yaw_from(*p), views_[next].yaw_from(*p), passed);
+    *down = views_[i].down_from(*p) + passed * (views_[next].down_from(*p) - views_[i].down_from(*p));
+  }
+
+ private:
+  std::vector<HeldView> views_;
+};
+
+// Moves about the first waypoint, always looking near the second, or about one such pair after the other.
+// Time is scaled to give the requested mean speed about a waypoint.
 std::vector<SE3> hand(const SceneParams& params, Random random) {
   const MotionParams& m = params.motion;
   const SmoothNoise x(&random, 0.25), y(&random, 0.25), z(&random, 0.25);
   const SmoothNoise yaw(&random, m.sway_hz), down(&random, m.sway_hz), roll(&random, m.sway_hz);
-  const auto position = [&](double t) -> Eigen::Vector3d {
-    return params.waypoints[0] + 0.55 * m.amplitude * Eigen::Vector3d(x(t), y(t), z(t));
+  const auto off = [&](double t) -> Eigen::Vector3d {
+    return 0.55 * m.amplitude * Eigen::Vector3d(x(t), y(t), z(t));
   };
+  const HeldViews views(params.waypoints);
   double length = 0;
   constexpr double kStep = 0.01, kSeconds = 200;
-  for (double t = 0; t < kSeconds; t += kStep) length += (position(t + kStep) - position(t)).norm();
+  for (double t = 0; t < kSeconds; t += kStep) length += (off(t + kStep) - off(t)).norm();
   const double pace = m.speed / (length / kSeconds), sway = rad(m.sway_deg);
   std::vector<SE3> poses;
   for (size_t i = 0; i < size_t(params.frames) * kStepsPerFrame; ++i) {
     const double t = seconds_at(i, params.rate_hz);
-    const Eigen::Vector3d p = position(pace * t), view = params.waypoints[1] - p;
-    poses.push_back(look(p, std::atan2(view.y(), view.x()) + sway * yaw(t),
-                         std::atan2(-view.z(), view.head<2>().norm()) + sway * down(t), sway * roll(t)));
+    Eigen::Vector3d p;
+    double view_yaw = 0, view_down = 0;
+    views.at(double(i) / double(params.frames * kStepsPerFrame), off(pace * t), &p, &view_yaw, &view_down);
+    poses.push_back(look(p, view_yaw + sway * yaw(t), view_down + sway * down(t), sway * roll(t)));
   }
   return poses;
 }

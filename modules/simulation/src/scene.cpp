@@ -9,6 +9,7 @@
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/records.h"
 #include "edgevo/files/program_folder.h"
+#include "light_change.h"
 #include "motion.h"
 #include "scene_params.h"
 #include "season.h"
@@ -18,6 +19,9 @@ namespace edgevo {
 namespace {
 
 namespace fs = std::filesystem;
+
+const char* const kSteady = "steady";
+constexpr double kNever = 1e18;  // seconds
 
 // Folders of scenes: the source tree if the program runs from it, else the installation, of this program or
 // of one that links the library.
@@ -29,17 +33,32 @@ std::vector<fs::path> scene_folders() {
       data_folder() / "datasets/scenes", EDGEVO_SCENE_INSTALL_DIR};
 }
 
-// "lakeshore:winter" is the scene lakeshore in winter. A file may have a colon in its name.
-void split_season(const std::string& name, std::string* scene, std::string* season) {
+// "lakeshore:winter" is the scene lakeshore in winter, "circuit:steady" is circuit in one light. A file may
+// have a colon in its name.
+void split_variant(const std::string& name, std::string* scene, std::string* variant) {
   std::error_code ignored;
   const size_t colon = name.rfind(':');
-  *scene = name, season->clear();
+  *scene = name, variant->clear();
   if (colon == std::string::npos || fs::exists(name, ignored)) return;
-  *scene = name.substr(0, colon), *season = name.substr(colon + 1);
-  const std::vector<std::string> known{"spring", "summer", "autumn", "winter"};
-  if (std::find(known.begin(), known.end(), *season) == known.end())
-    throw InputError("scene " + name, "'" + *season + "' is not a season",
-                     "did you mean '" + nearest_name(*season, known) + "'?");
+  *scene = name.substr(0, colon), *variant = name.substr(colon + 1);
+  const std::vector<std::string> known{"spring", "summer", "autumn", "winter", kSteady};
+  if (std::find(known.begin(), known.end(), *variant) == known.end())
+    throw InputError("scene " + name, "'" + *variant + "' is not a season, nor '" + kSteady + "'",
+                     "did you mean '" + nearest_name(*variant, known) + "'?");
+}
+
+// Takes over the variant of the scene `name`.
+void set_variant(const std::string& name, const std::string& variant, SceneParams* params) {
+  if (variant == kSteady) {
+    if (params->second_light.begins_s == 0)
+      throw InputError("scene " + name, "has one light anyway", "remove ':" + variant + "'");
+    params->second_light.begins_s = kNever;
+  } else if (!variant.empty()) {
+    params->world.season = variant;
+  }
+  if (!params->world.season.empty() && params->world.kind != "lakeshore")
+    throw InputError("scene " + name, "has no seasons", "only worlds of the kind lakeshore have");
+  apply_season(&params->world);
 }
 
 fs::path find_scene(const std::string& name_or_path) {
@@ -77,17 +96,14 @@ std::vector<std::string> scene_names() {
 }
 
 Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) {
-  std::string base, season;
-  split_season(name_or_path, &base, &season);
+  std::string base, variant;
+  split_variant(name_or_path, &base, &variant);
   const fs::path path = find_scene(base);
   const std::string where = path.string();
   SceneParams params = parse_scene(read_text(where, "give the path of a scene file"), where);
-  if (!season.empty()) params.world.season = season;
-  if (!params.world.season.empty() && params.world.kind != "lakeshore")
-    throw InputError("scene " + name_or_path, "has no seasons", "only worlds of the kind lakeshore have");
-  apply_season(&params.world);
+  set_variant(name_or_path, variant, &params);
   Scene scene;
-  scene.name = path.stem().string() + (season.empty() ? "" : ":" + season);
+  scene.name = path.stem().string() + (variant.empty() ? "" : ":" + variant);
   scene.seed = seed.value_or(uint64_t(params.seed));
   if (is_drawn(params.world.kind)) draw_params(scene.seed, where, &params);
   scene.camera = params.camera.camera;
@@ -95,6 +111,8 @@ Scene load_scene(const std::string& name_or_path, std::optional<uint64_t> seed) 
   scene.shutter = {params.camera.rolling_shutter_s, params.camera.exposure_s};
   set_motion(make_trajectory(params, scene.seed, params.where.waypoints), params, &scene);
   scene.world = std::make_shared<const World>(build_world(params, scene.seed));
+  if (params.second_light.begins_s > 0)
+    scene.light_change = std::make_shared<const LightChange>(make_light_change(params, *scene.world));
   check_trajectory(scene, params.where.waypoints);
   return scene;
 }

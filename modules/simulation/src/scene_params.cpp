@@ -2,6 +2,7 @@
 #include "scene_params.h"
 
 #include <charconv>
+#include <cmath>
 #include <sstream>
 #include <string_view>
 
@@ -11,9 +12,18 @@
 namespace edgevo {
 namespace {
 
-constexpr const char* kKey = "way_points:";
 constexpr const char* kRemedy =
     "write each waypoint on a line of its own as `- [x, y]` or `- [x, y, z]`, metres";
+constexpr const char* kStreetRemedy =
+    "write each street on a line of its own as `- [x, y, x, y]`, its two ends in metres";
+
+// A list of lists of numbers, each on a line of its own.
+struct ListSection {
+  std::string key, item, remedy;
+  size_t min_numbers, max_numbers;
+  std::string where = {};
+  std::vector<std::vector<double>> items = {};
+};
 
 std::string at_line(const std::string& file, int line) { return file + ":" + std::to_string(line); }
 
@@ -25,8 +35,8 @@ std::string_view trimmed(std::string_view s) {
 }
 std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
 
-bool opens_waypoints(const std::string& line) {
-  return line.compare(0, std::string_view(kKey).size(), kKey) == 0;
+bool opens(const ListSection& list, const std::string& line) {
+  return line.compare(0, list.key.size() + 1, list.key + ":") == 0;
 }
 // A line outside any list or group, which ends the section before it.
 bool is_top_level_key(const std::string& line) {
@@ -34,50 +44,69 @@ bool is_top_level_key(const std::string& line) {
          line[0] != '\r';
 }
 
-// "[x, y]" or "[x, y, z]".
-bool parse_point(std::string_view text, Eigen::Vector3d* p) {
-  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return false;
+// "[x, y, ..]"; empty if it is something else.
+std::vector<double> parse_numbers(std::string_view text) {
+  if (text.size() < 2 || text.front() != '[' || text.back() != ']') return {};
   text = text.substr(1, text.size() - 2);
-  int count = 0;
-  for (bool more = true; more; ++count) {
+  std::vector<double> numbers;
+  for (bool more = true; more;) {
     const size_t comma = text.find(',');
     more = comma != std::string_view::npos;
     const std::string_view digits = trimmed(text.substr(0, comma));
     const char* const end = digits.data() + digits.size();
-    if (count == 3) return false;
-    const auto read = std::from_chars(digits.data(), end, (*p)[count]);
-    if (read.ec != std::errc() || read.ptr != end) return false;
+    numbers.emplace_back();
+    const auto read = std::from_chars(digits.data(), end, numbers.back());
+    if (read.ec != std::errc() || read.ptr != end) return {};
     if (more) text.remove_prefix(comma + 1);
   }
-  return count >= 2;
+  return numbers;
 }
 
-Eigen::Vector3d parse_item(std::string_view item, const std::string& where) {
-  Eigen::Vector3d p = Eigen::Vector3d::Zero();
-  if (item.front() != '-' || !parse_point(trimmed(item.substr(1)), &p))
-    throw InputError(where, "is not a waypoint: a list of two or three numbers", kRemedy);
-  if (!(p.cwiseAbs().maxCoeff() < 1e5)) throw InputError(where, "a waypoint is beyond 100 km", kRemedy);
-  return p;
+std::vector<double> parse_item(std::string_view item, const ListSection& list, const std::string& where) {
+  const std::vector<double> numbers =
+      item.front() == '-' ? parse_numbers(trimmed(item.substr(1))) : std::vector<double>();
+  if (numbers.size() < list.min_numbers || numbers.size() > list.max_numbers)
+    throw InputError(where, "is not " + list.item, list.remedy);
+  for (const double number : numbers)
+    if (!(std::abs(number) < 1e5))
+      throw InputError(where, "a " + list.item.substr(2, list.item.find(':') - 2) + " is beyond 100 km",
+                       list.remedy);
+  return numbers;
 }
 
-// Removes the waypoints from the text, whose other lines keep their numbers.
-std::string take_waypoints(std::istream& in, const std::string& file, SceneParams* params) {
+void open_list(const std::string& line, const std::string& where, ListSection* list) {
+  if (!list->where.empty()) throw InputError(where, list->key + " was given already", "keep one");
+  list->where = where;
+  if (!without_comment(std::string_view(line).substr(list->key.size() + 1)).empty())
+    throw InputError(where, "something follows " + list->key + " on its line", list->remedy);
+}
+
+// Removes a list from the text, whose other lines keep their numbers.
+std::string take_list(const std::string& text, const std::string& file, ListSection* list) {
+  std::istringstream in(text);
   std::string line, rest;
   bool inside = false;
   for (int number = 1; std::getline(in, line); ++number) {
-    if (is_top_level_key(line)) inside = opens_waypoints(line);
+    if (is_top_level_key(line)) inside = opens(*list, line);
     rest += (inside ? "" : line) + "\n";
     const std::string where = at_line(file, number);
-    if (inside && opens_waypoints(line)) {
-      if (!params->where.waypoints.empty())
-        throw InputError(where, "way_points was given already", "keep one");
-      params->where.waypoints = where;
-      if (!without_comment(std::string_view(line).substr(std::string_view(kKey).size())).empty())
-        throw InputError(where, "something follows way_points on its line", kRemedy);
-    } else if (inside && !without_comment(line).empty()) {
-      params->waypoints.push_back(parse_item(without_comment(line), where));
-    }
+    if (inside && opens(*list, line))
+      open_list(line, where, list);
+    else if (inside && !without_comment(line).empty())
+      list->items.push_back(parse_item(without_comment(line), *list, where));
   }
+  return rest;
+}
+
+// Removes the waypoints and the streets from the text.
+std::string take_lists(const std::string& text, const std::string& file, SceneParams* params) {
+  ListSection points{"way_points", "a waypoint: a list of two or three numbers", kRemedy, 2, 3};
+  ListSection streets{"streets", "a street: a list of four numbers", kStreetRemedy, 4, 4};
+  const std::string rest = take_list(take_list(text, file, &points), file, &streets);
+  params->where.waypoints = points.where;
+  for (const std::vector<double>& p : points.items)
+    params->waypoints.emplace_back(p[0], p[1], p.size() > 2 ? p[2] : 0);
+  for (const std::vector<double>& s : streets.items) params->streets.push_back({{s[0], s[1]}, {s[2], s[3]}});
   return rest;
 }
 
@@ -102,15 +131,31 @@ void check_waypoints(const SceneParams& params, const std::string& file) {
     return;
   }
   if (where.empty()) throw InputError(file, "has no way_points", kRemedy);
+  for (const Leg& street : params.streets)
+    if ((street.to - street.from).norm() < 0.1)
+      throw InputError(file, "a street is shorter than 0.1 m", kStreetRemedy);
   if (params.waypoints.size() < 2) throw InputError(where, "has fewer than two waypoints", kRemedy);
+  if (params.motion.kind == "hand" && params.waypoints.size() % 2 == 1)
+    throw InputError(where, "a hand-held camera needs pairs of waypoints",
+                     "after each position give the point at which it looks");
 }
 
 }  // namespace
 
+std::vector<Leg> legs_between(const std::vector<Eigen::Vector3d>& waypoints) {
+  std::vector<Leg> legs;
+  for (size_t i = 0; i + 1 < waypoints.size(); ++i)
+    legs.push_back({waypoints[i].head<2>(), waypoints[i + 1].head<2>()});
+  return legs;
+}
+
+std::vector<Leg> street_legs(const SceneParams& params) {
+  return params.streets.empty() ? legs_between(params.waypoints) : params.streets;
+}
+
 SceneParams parse_scene(const std::string& text, const std::string& file) {
   SceneParams params;
-  std::istringstream in(text);
-  const std::string rest = take_waypoints(in, file, &params);
+  const std::string rest = take_lists(text, file, &params);
   read_params(rest, file, [&](ParamVisitor& v) { params.visit(v); });
   if (params.frames < 1)
     throw InputError(file, "frames is missing: the scene would be empty", "give for example frames: 300");

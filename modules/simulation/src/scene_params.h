@@ -73,6 +73,10 @@ struct MotionParams {
   int legs = 1;
   /// Time in which the motion is reversed at the end of a leg (drive), seconds.
   double reversal_s = 1;
+  /// Waypoint, from 0, at which the second lap begins (drive); 0: there is none.
+  int second_lap = 0;
+  /// Offset of the second lap to the right, beyond that of the first (drive), metres.
+  double second_offset = 0;
   void visit(KeyVisitor& v) {
     v.text("kind", kind, {"drive", "hand"},
            "drive along waypoints, or move about the first one looking at the second");
@@ -95,6 +99,9 @@ struct MotionParams {
     v.number("glance_hz", glance_hz, 0.01, 20, "drive: typical frequency of these glances");
     v.integer("legs", legs, 1, 100, "drive: forwards, back without turning round, forwards, ...");
     v.number("reversal_s", reversal_s, 0.05, 10, "drive: seconds in which the motion is reversed");
+    v.integer("second_lap", second_lap, 0, 10000, "drive: waypoint, from 0, where the second lap begins");
+    v.number("second_offset", second_offset, -100, 100,
+             "drive: metres to the right, added to lane_offset on the second lap");
   }
 };
 
@@ -112,8 +119,8 @@ struct WorldParams {
   std::string season;
   void visit(KeyVisitor& v) {
     v.text("kind", kind,
-           {"street", "desk", "lakeshore", "corridor", "plaza", "motorway", "tiled_rooms", "open_land",
-            "parked_cars"},
+           {"street", "mirrored_street", "desk", "lakeshore", "corridor", "identical_doors", "plaza",
+            "motorway", "tiled_rooms", "open_land", "parked_cars"},
            "what is built; of the last three the seed draws camera, motion and light, too");
     v.text("walls", walls, {}, "kinds of texture for walls, separated by blanks");
     v.text("sky", sky, {}, "kind of texture for the sky; empty: plain");
@@ -128,6 +135,37 @@ struct WorldParams {
   }
 };
 
+/// Light of the second lap. It takes the place of that of the world, whose shadows on the ground move, too.
+struct SecondLightParams {
+  /// Time at which the light begins to change, seconds; 0: it does not.
+  double begins_s = 0;
+  /// Time that the change takes, seconds.
+  double duration_s = 10;
+  double sun_azimuth_deg = 130, sun_elevation_deg = 42;
+  /// Brightness of a surface in the shade, and what a sun straight above it adds; factors on its gray.
+  double shade = 0.62, sun = 0.5;
+  /// Factor on the gray of the whole image.
+  double exposure = 1;
+  double horizon_gray = 222;
+  double haze_per_metre = 0.0015;
+  void visit(KeyVisitor& v) {
+    v.number("begins_s", begins_s, 0, 1e6, "seconds of the scene; 0: the light does not change");
+    v.number("duration_s", duration_s, 0, 1e6, "seconds that the change takes");
+    v.number("sun_azimuth_deg", sun_azimuth_deg, -360, 360, "from the x axis to the left");
+    v.number("sun_elevation_deg", sun_elevation_deg, 5, 90, "over the horizon");
+    v.number("shade", shade, 0.05, 2, "brightness in the shade; of the world's light 0.62");
+    v.number("sun", sun, 0, 2, "what a sun straight above a surface adds; of the world's light 0.5");
+    v.number("exposure", exposure, 0.1, 4, "factor on the gray of the image");
+    v.number("horizon_gray", horizon_gray, 0, 255, "gray of the sky at the horizon, which haze fades to");
+    v.number("haze_per_metre", haze_per_metre, 0, 1, "as in the group world");
+  }
+};
+
+/// Leg between two points of the ground plan, metres.
+struct Leg {
+  Eigen::Vector2d from, to;
+};
+
 /// Lines such as "street.yaml:31" to which errors detected later refer.
 struct SceneLines {
   std::string waypoints, walls, sky;
@@ -140,8 +178,11 @@ struct SceneParams {
   CameraParams camera;
   MotionParams motion;
   WorldParams world;
+  SecondLightParams second_light;
   /// Waypoints, metres.
   std::vector<Eigen::Vector3d> waypoints;
+  /// Middle lines of the world's streets or corridors; empty: the legs between the waypoints.
+  std::vector<Leg> streets;
   SceneLines where;
   void visit(KeyVisitor& v) {
     v.integer("seed", seed, 0, 1000000000, "everything random follows from it");
@@ -155,14 +196,23 @@ struct SceneParams {
       auto group = v.group("motion");
       motion.visit(v);
     }
-    auto group = v.group("world");
-    world.visit(v);
+    {
+      auto group = v.group("world");
+      world.visit(v);
+    }
+    auto group = v.group("second_light");
+    second_light.visit(v);
   }
 };
 
+/// The legs between the waypoints.
+std::vector<Leg> legs_between(const std::vector<Eigen::Vector3d>& waypoints);
+/// The streets of the scene, or the legs between its waypoints if it names none.
+std::vector<Leg> street_legs(const SceneParams& params);
+
 /// Parses the text of a scene file. Throws InputError: unknown key, value out of range, no frames, waypoints
-/// that are not lists of two or three numbers, fewer than two of them, no camera. Each message opens with
-/// `file` and, if there is one, the line.
+/// that are not lists of two or three numbers, streets that are not lists of four, fewer than two waypoints,
+/// no camera. Each message opens with `file` and, if there is one, the line.
 SceneParams parse_scene(const std::string& text, const std::string& file);
 
 }  // namespace edgevo

@@ -38,7 +38,7 @@ GrayImage SceneRenderer::render_image(int index) const {
 GrayImage SceneRenderer::render_image_from(const SE3& T_scene_cam, int index) const {
   const Pinhole p = scene_.camera.pinhole();
   std::vector<float> gray(size_t(p.width) * p.height);
-  add_rows_seen(scene_, *rays_, {T_scene_cam, seconds_of_bodies(scene_, index)}, {0, p.height}, &gray);
+  add_rows_seen(scene_, *rays_, {T_scene_cam, seconds_of_frame(scene_, index)}, {0, p.height}, &gray);
   return {p.width, p.height, with_sensor_noise(gray, scene_.noise_sigma, scene_.seed, index)};
 }
 

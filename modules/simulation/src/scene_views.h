@@ -15,8 +15,8 @@ struct Instant {
   double seconds = 0;
 };
 
-/// Time of the bodies in frame `index`, or the last one; 0 without bodies.
-double seconds_of_bodies(const Scene& scene, int index);
+/// Time of bodies and light in frame `index`, or the last one; 0 if nothing but the camera changes.
+double seconds_of_frame(const Scene& scene, int index);
 /// The instant of frame `index`.
 Instant instant_of(const Scene& scene, int index);
 
@@ -29,9 +29,9 @@ struct SceneViews {
   std::vector<int> body;
 };
 
-/// As view_surfaces().
+/// As view_surfaces(), in the light of that instant.
 SceneViews view_scene(const Scene& scene, const Camera& camera, const Instant& at, RowRange rows);
-/// As view_surfaces_in_face().
+/// As view_surfaces_in_face(), in the light of that instant.
 SceneViews view_scene_in_face(const Scene& scene, const Camera& camera, int face, const Instant& at,
                               RowRange rows);
 

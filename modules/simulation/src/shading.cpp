@@ -91,23 +91,33 @@ float sample(const Texture& texture, const Footprint& f) {
   return gray + share * (coarse - gray);
 }
 
+// Factor of the shadows where the ray (x, y, 1) meets the ground at depth z.
+float shadow_factor(const ViewSurface& view, const ShadingContext& c, float x, float y, float z) {
+  const Eigen::Vector2f p = c.eye + z * (view.ground * Eigen::Vector3f(x, y, 1));
+  float factor = 0;
+  for (int i = 0; i < 2; ++i)
+    if (c.weights[i] > 0) factor += c.weights[i] * c.shadows[i]->factor(p.x(), p.y());
+  return factor;
+}
+
 }  // namespace
 
 float shade(const ViewSurface& view, const ShadingContext& c, float x, float y) {
   const float q = view.idepth_f.x() * x + view.idepth_f.y() * y + view.idepth_f.z();
   const Footprint f = footprint(view, c, x, y, 1.0f / q);
   const Surface& s = *view.surface;
-  const float gray = s.gain * (s.is_tiled ? sample<true>(*view.texture, f) : sample<false>(*view.texture, f));
-  return gray + (c.haze_gray - gray) * (c.haze_per_metre / (q + c.haze_per_metre));
+  float gray = view.gain * (s.is_tiled ? sample<true>(*view.texture, f) : sample<false>(*view.texture, f));
+  if (view.takes_shadows) gray *= shadow_factor(view, c, x, y, 1.0f / q);
+  return c.exposure * (gray + (c.haze_gray - gray) * (c.haze_per_metre / (q + c.haze_per_metre)));
 }
 
 float shade_sky(const ViewSurface& view, const ShadingContext& c, float x, float y) {
   const float q = view.idepth_f.x() * x + view.idepth_f.y() * y + view.idepth_f.z();
   constexpr float kHorizon = 4e-5f;  // clouds beyond 25 km drown in the haze
-  if (q <= kHorizon) return c.haze_gray;
+  if (q <= kHorizon) return c.exposure * c.haze_gray;
   const float gray = sample<true>(*view.texture, footprint(view, c, x, y, 1.0f / q));
   const float share = std::min(1.0f, (q - kHorizon) * 2500.0f);
-  return c.haze_gray + share * (gray - c.haze_gray);
+  return c.exposure * (c.haze_gray + share * (gray - c.haze_gray));
 }
 
 }  // namespace edgevo

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "scene_params.h"
 #include "world_builder.h"
 
 namespace edgevo {
@@ -42,18 +43,22 @@ struct Side {
   }
 };
 
-/// One street for each leg between waypoints, longer by `before` and `beyond` metres; the first one by
-/// `first` at its start.
-inline std::vector<Street> streets_of(const std::vector<Eigen::Vector3d>& waypoints, double first,
-                                      double before, double beyond) {
+/// One street for each leg, longer by `before` and `beyond` metres; the first one by `first` at its start.
+inline std::vector<Street> streets_of(const std::vector<Leg>& legs, double first, double before,
+                                      double beyond) {
   std::vector<Street> streets;
-  for (size_t i = 0; i + 1 < waypoints.size(); ++i) {
-    const Eigen::Vector2d a = waypoints[i].head<2>(), b = waypoints[i + 1].head<2>(),
-                          along = (b - a).normalized();
-    const double ahead = i == 0 ? first : before;
-    streets.push_back({a - ahead * along, along, (b - a).norm() + ahead + beyond});
+  for (const Leg& leg : legs) {
+    const Eigen::Vector2d along = (leg.to - leg.from).normalized();
+    const double ahead = streets.empty() ? first : before;
+    streets.push_back({leg.from - ahead * along, along, (leg.to - leg.from).norm() + ahead + beyond});
   }
   return streets;
+}
+
+/// The same for the legs between waypoints.
+inline std::vector<Street> streets_of(const std::vector<Eigen::Vector3d>& waypoints, double first,
+                                      double before, double beyond) {
+  return streets_of(legs_between(waypoints), first, before, beyond);
 }
 
 /// Distance of p to the nearest middle line of a street other than `own`.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/error.h"
+#include "mirror.h"
 #include "props.h"
 #include "street_plan.h"
 #include "worlds.h"
@@ -18,11 +20,13 @@ constexpr double kStreetBeyond = 65;  // length of a street beyond its waypoints
 
 class StreetBuilder {
  public:
-  explicit StreetBuilder(Site& site)
+  // Beyond their legs streets go on for `beyond` metres; 0: nothing lies beyond the end of a leg.
+  StreetBuilder(Site& site, const std::vector<Leg>& legs, double beyond)
       : site_(site),
         b_(site.build),
         random_(b_.random()),
-        streets_(streets_of(site.params.waypoints, 25, kStreetBeyond, kStreetBeyond)) {}
+        is_cut_(beyond == 0),
+        streets_(streets_of(legs, 25, kStreetBeyond, beyond)) {}
 
   void build() {
     ground();
@@ -35,7 +39,8 @@ class StreetBuilder {
         furniture(side);
         parked_cars(side);
       }
-      for (double end : {-1.0, street.length + 1}) closing(street, end);
+      closing(street, -1);
+      if (!is_cut_) closing(street, street.length + 1);
     }
   }
 
@@ -125,6 +130,7 @@ class StreetBuilder {
       const double width = random_.uniform(6.5, 13),
                    setback = random_.uniform() < 0.45 ? 0.0 : random_.uniform(1.5, 4.5);
       const double depth = random_.uniform(7, 10), d = kWalk + setback;
+      if (is_cut_ && s + width > side.street->length) break;
       if (!is_free(side, s, s + width, d - 0.5, d + depth, kWalk + 0.5)) {
         s += 1.5;
         continue;
@@ -192,11 +198,21 @@ class StreetBuilder {
   Site& site_;
   WorldBuilder& b_;
   Random& random_;
+  const bool is_cut_;
   std::vector<Street> streets_;
 };
 
 }  // namespace
 
-void build_street(Site& site) { StreetBuilder(site).build(); }
+void build_street(Site& site) { StreetBuilder(site, street_legs(site.params), kStreetBeyond).build(); }
+
+void build_mirrored_street(Site& site) {
+  const std::vector<Leg> legs = street_legs(site.params);
+  if (legs.size() != 1)
+    throw InputError(site.params.where.waypoints, "a mirrored street has no turns", "give two waypoints");
+  const Leg half{legs[0].from, 0.5 * (legs[0].from + legs[0].to)};
+  StreetBuilder(site, {half}, 0).build();
+  add_mirror_image({half.to, (half.to - half.from).normalized()}, &site.build.surfaces());
+}
 
 }  // namespace edgevo

@@ -193,6 +193,7 @@ std::vector<ViewSurface> surfaces_in(const World& world, const Frustum& frustum,
         view.col_begin >= view.col_end)
       continue;
     view.surface = &s;
+    view.gain = s.gain;
     view.texture = &world.textures[size_t(s.texture)];
     view.distance = middle.norm();
     set_functions(origin, u, v, &view);

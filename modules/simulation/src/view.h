@@ -39,6 +39,12 @@ struct ViewSurface {
   Eigen::Vector3f u, v;
   /// Distance of the surface's middle from the camera, metres.
   double distance = 0;
+  /// Factor on the texture's gray.
+  float gain = 1;
+  /// Position on the ground over z as a function of the ray, from the point below the camera, scene axes;
+  /// only of surfaces that take shadows.
+  Eigen::Matrix<float, 2, 3> ground = Eigen::Matrix<float, 2, 3>::Zero();
+  bool takes_shadows = false;
   const Surface* surface = nullptr;
   const Texture* texture = nullptr;
   /// Range of image rows that it may touch.

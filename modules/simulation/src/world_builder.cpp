@@ -49,7 +49,7 @@ Surface& WorldBuilder::add(const Eigen::Vector3d& corner, const Eigen::Vector3d&
   Surface s;
   s.origin = corner, s.side_u = side_u, s.side_v = side_v, s.texture = texture;
   const Eigen::Vector3d normal = side_v.cross(side_u).normalized();
-  s.gain = float(0.62 + 0.5 * std::max(0.0, normal.dot(sun_)));
+  s.gain = float(kInShade + kBySun * std::max(0.0, normal.dot(sun_)));
   s.is_solid = !world_.textures[size_t(texture)].is_cut_out();
   world_.surfaces.push_back(s);
   return world_.surfaces.back();

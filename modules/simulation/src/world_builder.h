@@ -33,6 +33,9 @@ struct Block {
   double r0, r1, o0, o1, z0, z1;
 };
 
+/// Brightness of a surface in the shade, and what a sun straight above it adds; factors on its gray.
+constexpr double kInShade = 0.62, kBySun = 0.5;
+
 class WorldBuilder {
  public:
   /// `where` opens the error messages; `sun` points towards the sun.
@@ -64,6 +67,8 @@ class WorldBuilder {
   /// An upright prism with `sides` faces.
   void prism(const LocalFrame& place, double radius, double height, int sides, int texture, float gain = 1);
 
+  /// The surfaces so far.
+  std::vector<Surface>& surfaces() { return world_.surfaces; }
   void set_sky(const std::string& kind, float horizon_gray, float haze_per_metre);
   World finish() { return std::move(world_); }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "worlds.h"
 
-#include <cmath>
 #include <sstream>
 
-#include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
+#include "light_change.h"
 #include "texture_kinds.h"
 
 namespace edgevo {
@@ -23,19 +22,16 @@ std::vector<std::string> wall_kinds(const std::string& list, const std::string& 
   return kinds;
 }
 
-Eigen::Vector3d sun_direction(const WorldParams& w) {
-  const double a = rad(w.sun_azimuth_deg), e = rad(w.sun_elevation_deg);
-  return {std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), std::sin(e)};
-}
-
 }  // namespace
 
 World build_world(const SceneParams& params, uint64_t seed) {
   const WorldParams& w = params.world;
-  WorldBuilder builder(seed, params.where.sky, sun_direction(w));
+  WorldBuilder builder(seed, params.where.sky, sun_direction(w.sun_azimuth_deg, w.sun_elevation_deg));
   Site site{params, builder, wall_kinds(w.walls, params.where.walls), seed};
   builder.set_sky(w.sky, float(w.horizon_gray), float(w.haze_per_metre));
   if (w.kind == "street") build_street(site);
+  if (w.kind == "mirrored_street") build_mirrored_street(site);
+  if (w.kind == "identical_doors") build_identical_doors(site);
   if (w.kind == "desk") build_desk(site);
   if (w.kind == "lakeshore") build_lakeshore(site);
   if (w.kind == "corridor") build_corridor(site);

@@ -23,6 +23,9 @@ struct Site {
 };
 
 void build_street(Site& site);
+/// A street without a turn whose second half is the mirror image of its first. Throws InputError if it turns.
+void build_mirrored_street(Site& site);
+void build_identical_doors(Site& site);
 void build_desk(Site& site);
 void build_lakeshore(Site& site);
 void build_corridor(Site& site);

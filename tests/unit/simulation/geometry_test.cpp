@@ -78,7 +78,9 @@ TEST_P(SceneGeometry, ReprojectedDepthMeetsTheNextFrame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneGeometry,
-                         ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation"));
+                         ::testing::Values("street", "desk", "lakeshore", "corridor", "rotation",
+                                           "circuit_short", "desk_revisit", "corridor_revisit",
+                                           "identical_doors", "mirrored_street"));
 
 // Where a horizontal (or vertical) line of pixels passes through gray 110, between dark and bright, going
 // along it.

@@ -80,6 +80,8 @@ TEST(BadScene, Waypoints) {
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [a, b]")),
               HasSubstr("34: is not a waypoint"));
   EXPECT_THAT(refusal(edited("desk", "way_points:", "other_points:")), HasSubstr("list"));
+  EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1.05, 0, 0.74]\n  - [0, 0, 1]")),
+              HasSubstr("pairs of waypoints"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [1, 2, 3, 4]")),
               HasSubstr("list of two or three numbers"));
   EXPECT_THAT(refusal(edited("desk", "  - [1.05, 0, 0.74]", "  - [nan, 2]")), HasSubstr("beyond 100 km"));
@@ -122,6 +124,27 @@ TEST(BadScene, MessagesNameTheLine) {
               HasSubstr(at_line_of("street", "way_points:") + "the path ends"));
 }
 
+TEST(BadScene, Streets) {
+  EXPECT_THAT(refusal(edited("circuit_short", "- [0, 0, 90, 0]", "- [0, 0, 90]")),
+              HasSubstr("is not a street: a list of four numbers"));
+  EXPECT_THAT(refusal(edited("circuit_short", "- [0, 0, 90, 0]", "- [0, 0, 0, 1e9]")),
+              HasSubstr("a street is beyond 100 km"));
+  EXPECT_THAT(refusal(edited("circuit_short", "- [0, 0, 90, 0]", "- [5, 5, 5, 5]")),
+              HasSubstr("a street is shorter than 0.1 m"));
+}
+
+TEST(BadScene, SecondLap) {
+  EXPECT_THAT(refusal(edited("circuit_short", "second_lap: 5", "second_lap: 4")),
+              HasSubstr("does not begin on a straight"));
+  EXPECT_THAT(refusal(edited("circuit_short", "second_lap: 5", "second_lap: 50")),
+              HasSubstr("no leg follows waypoint 50"));
+}
+
+TEST(BadScene, TurnsWhereThereMustBeNone) {
+  for (const char* name : {"mirrored_street", "identical_doors"})
+    EXPECT_THAT(refusal(edited(name, "  - [0, 0]\n", "  - [0, 0]\n  - [20, 1]\n")), HasSubstr("no turns"));
+}
+
 TEST(BadScene, NoCamera) {
   EXPECT_THAT(refusal(edited("desk", "  width: 640", "")), HasSubstr("image size"));
 }
@@ -136,8 +159,16 @@ TEST(BadScene, UnknownNameListsWhatThereIs) {
 }
 
 TEST(Scene, NamesHoldWhatShips) {
-  for (const char* name : {"street", "desk", "lakeshore", "corridor", "rotation", "desk_above", "office_walk",
-                           "tiles", "motorway", "tiled_rooms", "open_land", "parked_cars"})
+  for (const char* name : {"street",          "desk",
+                           "lakeshore",       "corridor",
+                           "rotation",        "desk_above",
+                           "office_walk",     "tiles",
+                           "motorway",        "tiled_rooms",
+                           "open_land",       "parked_cars",
+                           "circuit",         "circuit_reverse",
+                           "circuit_short",   "circuit_short_reverse",
+                           "desk_revisit",    "corridor_revisit",
+                           "identical_doors", "mirrored_street"})
     EXPECT_THAT(scene_names(), Contains(name));
 }
 
@@ -247,6 +278,7 @@ TEST(SceneSeason, UnknownOnesAndWorldsWithoutThem) {
   EXPECT_THAT(scene_error("lakeshore:wintr"),
               AllOf(HasSubstr("'wintr' is not a season"), HasSubstr("'winter'")));
   EXPECT_THAT(scene_error("desk:winter"), HasSubstr("has no seasons"));
+  EXPECT_THAT(scene_error("desk:steady"), HasSubstr("has one light anyway"));
   EXPECT_THAT(scene_error("lake:winter"), HasSubstr("neither a file nor a known scene"));
 }
 

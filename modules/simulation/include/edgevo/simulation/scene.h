@@ -3,8 +3,8 @@
 // A scene: a world, a camera and its motion through it, read from a YAML file such as
 // datasets/scenes/street.yaml.
 //
-// The file names the kind of world (street, desk, lakeshore, corridor, plaza), a seed, the camera and the
-// motion; the world is then grown from the seed, textures included. The same file and seed give the same
+// The file names the kind of world (street, desk, lakeshore, corridor, plaza, ...), a seed, the camera and
+// the motion; the world is then grown from the seed, textures included. The same file and seed give the same
 // scene, to the byte.
 #include <cstdint>
 #include <functional>
@@ -18,6 +18,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/simulation/body.h"
+#include "edgevo/simulation/light.h"
 #include "edgevo/simulation/world.h"
 
 namespace edgevo {
@@ -58,6 +59,8 @@ struct Scene {
   Shutter shutter;
   /// Standard deviation of the sensor noise, gray levels.
   double noise_sigma = 0;
+  /// Change of the world's light; null: none.
+  std::shared_ptr<const LightChange> light_change;
   /// World; shared, since it may take tens of megabytes.
   std::shared_ptr<const World> world;
   /// What moves through the world by itself (add_traffic()).
