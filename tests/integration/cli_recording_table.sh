@@ -11,7 +11,7 @@
 write=${3:?usage: $0 EDGEVO SCENES WRITE_RECORDING COMPARE_FRAMES}
 compare=${4:?usage: $0 EDGEVO SCENES WRITE_RECORDING COMPARE_FRAMES}
 shift 4
-encodings="mono8 rgb8 bgr8 rgba8 bgra8 yuv422 16UC1 bayer_rggb8"
+encodings="rgb8 mono8 bgr8 rgba8 yuv422 bgra8 16UC1 bayer_rggb8"  # little for bz2, which is slow
 options="--quiet --edge-map off --mcap off"
 
 # kind KIND N: the kind that write_recording is given, in the Nth of the compressions that the kind has.
