@@ -18,6 +18,7 @@ int finish(const std::string& out, const RecoveryOptions& options) {
   if (!recovered.map_note.empty()) std::fprintf(stderr, "%s\n", recovered.map_note.c_str());
   for (const ClosingLine& line : closing_lines(run, out, options.include_doubtful))
     std::fprintf(line.is_warning ? stderr : stdout, "%s\n", line.text.c_str());
+  if (!recovered.mcap_note.empty()) std::fprintf(stderr, "%s\n", recovered.mcap_note.c_str());
   if (recovered.is_damaged)
     throw InputError(
         out,

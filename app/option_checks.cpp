@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
 #include "edgevo/core/error.h"
@@ -31,7 +32,12 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+// A file where a sub-command belongs is to be run, or looked at.
 std::string unknown_command(const CLI::App& app, const std::string& word) {
+  std::error_code ignored;
+  if (std::filesystem::exists(word, ignored))
+    return "'" + word + "' is no sub-command; edgevo run " + word + " -o OUT runs it, edgevo info " + word +
+           " shows what is in it";
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     names.push_back(command->get_name());
@@ -136,7 +142,10 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error, int argc,
   const CLI::App& command = *commands.front();
   const std::vector<std::string> rest = command.remaining();
   if (is_extra && !rest.empty()) return unexpected(command, rest.front());
-  return command.get_name() + ": " + error.what() + "; see edgevo " + command.get_name() + " --help";
+  const std::string name = command.get_name();
+  const bool lacks_out = std::string(error.what()).rfind("--out is required", 0) == 0;
+  return name + ": " + error.what() + (lacks_out ? "; add -o and a name for the results, or see" : "; see") +
+         " edgevo " + name + " --help";
 }
 
 }  // namespace edgevo::app

@@ -76,3 +76,10 @@ target_include_directories(write_recording PRIVATE ${PROJECT_SOURCE_DIR}/tests)
 add_test(NAME integration.cli_recordings
   COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_recordings.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:write_recording>)
 set_tests_properties(integration.cli_recordings PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)
+add_executable(list_messages ${CMAKE_CURRENT_LIST_DIR}/list_messages.cpp)
+target_link_libraries(list_messages PRIVATE edgevo::recordings z)
+add_executable(compare_frames ${CMAKE_CURRENT_LIST_DIR}/compare_frames.cpp)
+target_link_libraries(compare_frames PRIVATE edgevo::datasets)
+add_test(NAME integration.cli_recording_table
+  COMMAND ${CMAKE_CURRENT_LIST_DIR}/cli_recording_table.sh $<TARGET_FILE:edgevo> ${cli_scenes} $<TARGET_FILE:write_recording> $<TARGET_FILE:compare_frames>)
+set_tests_properties(integration.cli_recording_table PROPERTIES LABELS integration TIMEOUT 600 FIXTURES_REQUIRED cli_scenes)

@@ -9,7 +9,8 @@ run() { "$edgevo" run "$@" --quiet; }
 complains "no sub-command given" "$edgevo"
 complains "'rum'.*did you mean run" "$edgevo" rum "$desk" -o out
 complains "SOURCE is required" "$edgevo" run
-complains "\-\-out is required" "$edgevo" run "$desk"
+complains "\-\-out is required; add -o and a name" "$edgevo" run "$desk"
+complains "is no sub-command; edgevo run .*desk -o OUT runs it" "$edgevo" "$desk"
 complains "run: unknown option --detektor; did you mean --detector?" "$edgevo" run "$desk" -o out --detektor=canny
 complains "extra" "$edgevo" run "$desk" extra -o out
 complains "'' names no folder" "$edgevo" run "$desk" -o ''

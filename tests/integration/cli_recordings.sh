@@ -25,6 +25,9 @@ check "images that decode" "$(grep -c '^check  *all 14 images decode' stdout)" -
 complains "no topic '/cam1/image_raw'.*did you mean --topic /cam0/image_raw" "$edgevo" info x.bag --topic /cam1/image_raw
 complains "/tf_static holds tf2_msgs/TFMessage" "$edgevo" info x.bag --topic /tf_static
 complains "choose one with --topic" "$edgevo" info x.bag --sensor cam0
+mkdir bags
+ln x.bag bags/x.bag
+complains "holds no images; give a file of it: bags/x.bag" "$edgevo" info bags
 complains "is of no use: street is not a recording" "$edgevo" info street --topic /cam0/image_raw
 
 # A recorder that was killed, and a file that was cut off: one line each, and the run goes through.

@@ -204,9 +204,9 @@ class Sensor : public Plugin {
 TEST_F(Sensor, DeliversImagePoseAndPoints) {
   const auto sensor = load(desk(40) + "sensorLabel = EYE\n");
   sensor->initialize();
-  int images = 0, poses = 0, scans = 0;
+  int images = 0, poses = 0, live = 0, frames = 0, scans = 0;
   size_t points = 0;
-  bool ended = false;
+  bool ended = false, is_said = false;
   for (int i = 0; i < 60 && !ended; ++i) {
     try {
       sensor->doProcess();
@@ -222,7 +222,14 @@ TEST_F(Sensor, DeliversImagePoseAndPoints) {
         EXPECT_EQ(image->image.getWidth(), 640u);
         EXPECT_GT(image->cameraParams.fx(), 100);
       }
-      poses += bool(std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(object));
+      if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(object)) {
+        poses += pose->sensorLabel == "EDGE_VO", live += pose->sensorLabel == "EDGE_VO_LIVE";
+        if (pose->sensorLabel != "EDGE_VO_MAP_ODOM") continue;
+        ++frames;
+        EXPECT_LT(pose->pose.mean.norm(), 1e-9) << "nothing was found about the past";
+      }
+      if (const auto comment = std::dynamic_pointer_cast<mrpt::obs::CObservationComment>(object))
+        is_said |= comment->text.rfind("EDGE_VO: is_metric false; map_changes 0; unit: arbitrary", 0) == 0;
       if (const auto scan = std::dynamic_pointer_cast<mrpt::obs::CObservation3DRangeScan>(object)) {
         ++scans;
         points += scan->points3D_x.size();
@@ -233,6 +240,9 @@ TEST_F(Sensor, DeliversImagePoseAndPoints) {
   EXPECT_TRUE(ended);
   EXPECT_EQ(images, 40);
   EXPECT_GE(poses, 20);
+  EXPECT_EQ(live, poses);
+  EXPECT_EQ(frames, 1);
+  EXPECT_TRUE(is_said);
   EXPECT_GE(scans, 2);
   EXPECT_GE(points, 200u * size_t(scans));
 }

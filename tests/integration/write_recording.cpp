@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // write_recording SOURCE KIND ENCODING OUT [TRUTH.txt]: any source as a recording of ROS, for tests. KIND:
-// bag, bag-bz2, bag-lz4, mcap, mcap-zstd, mcap-lz4, mcap-open (its recorder was killed), db3 (a folder),
-// db3-zstd. ENCODING: mono8, rgb8, bgr8, rgba8, bgra8, yuv422, yuv422_yuy2, file (CompressedImage with the
+// bag, bag-bz2, bag-lz4, mcap, mcap-zstd, mcap-lz4, mcap-open (its recorder was killed), db3-alone (a file);
+// folders: db3, db3-zstd (each message), db3-file (the file in zstd), mcap-folder, and images, files of what
+// a Bayer pattern or 16 bits show. ENCODING: see support/encoded_pixels.h; file (CompressedImage with the
 // files of the images). With the ground truth of the camera (TUM) also odometry, satellite fixes and poses
 // made from it. Stamps are those of the source; the recorder is 3 ms late. The vehicle is in the camera,
 // which looks forward.
@@ -13,6 +14,7 @@
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/evaluation/trajectory.h"
 #include "edgevo/mrpt_bridge/conversions.h"
+#include "support/encoded_pixels.h"
 #include "support/recording_files.h"
 #include "support/recording_messages.h"
 #include "support/text.h"
@@ -22,21 +24,11 @@ namespace {
 using namespace edgevo;
 using namespace edgevo::test;
 
+constexpr size_t kChunkBytes = 786432;
+
 enum Topic { kTf, kInfo, kImage, kOdometry, kFix, kPose };
 
 int64_t ns_of(Timestamp t) { return t.ticks * 100; }
-
-// Gray as bytes of an encoding.
-std::string encoded(const GrayImage& image, const std::string& encoding, uint32_t* step) {
-  const bool is_yuv = encoding.rfind("yuv", 0) == 0;
-  const size_t bytes = encoding == "mono8" ? 1 : is_yuv ? 2 : encoding.size() - 1;
-  std::string data(image.pixels.size() * bytes, char(128));
-  for (size_t i = 0; i < image.pixels.size(); ++i)
-    for (size_t k = 0; k < bytes; ++k)
-      if (!is_yuv || k == (encoding == "yuv422" ? 1u : 0u)) data[i * bytes + k] = char(image.pixels[i]);
-  *step = uint32_t(bytes) * uint32_t(image.width);
-  return data;
-}
 
 class RecordingMaker {
  public:
@@ -54,8 +46,8 @@ class RecordingMaker {
       add(kImage, ns, compressed_message(wire_, ns, is_png ? "png" : "jpeg", content(frame.image_path)));
       return;
     }
-    TestImage image{frame.image.width, frame.image.height, encoding_, {}, 0};
-    image.data = encoded(frame.image, encoding_, &image.step);
+    TestImage image{frame.image.width, frame.image.height, encoding_, encoded(frame.image, encoding_), 0};
+    image.step = uint32_t(image.data.size()) / uint32_t(image.height);
     add(kImage, ns, image_message(wire_, ns, image));
   }
   void add_sensors(Timestamp time, const SE3& T_map_vehicle) {
@@ -105,23 +97,62 @@ void write_file(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+std::string mcap_bytes(const RecordingMaker& maker, const std::string& compression) {
+  McapOptions options;
+  options.is_closed = compression != "open";
+  options.compression = options.is_closed ? compression : "zstd";
+  options.chunk_bytes = kChunkBytes;
+  return mcap_file(maker.topics(), maker.messages(), options);
+}
+
+// A folder as ROS 2 writes it. MODE: of the compression.
+void write_folder(const RecordingMaker& maker, const std::string& storage, const std::string& mode,
+                  const std::string& out) {
+  std::filesystem::create_directories(out);
+  const bool is_mcap = storage == "mcap";
+  std::string name = is_mcap ? "x_0.mcap" : "x_0.db3";
+  const std::string path = out + "/" + name;
+  if (is_mcap)
+    write_file(path, mcap_bytes(maker, "zstd"));
+  else
+    write_db3(path, maker.topics(), maker.messages(), mode == "MESSAGE" ? "zstd" : "");
+  if (mode == "FILE") {
+    name += ".zstd";
+    write_file(out + "/" + name, packed("zstd", content(path)));
+    std::filesystem::remove(path);
+  }
+  write_file(out + "/metadata.yaml", ros2_metadata({name}, maker.topics(), maker.messages(), storage, mode));
+}
+
 void write(const RecordingMaker& maker, const std::string& kind, const std::string& out) {
-  constexpr size_t kChunkBytes = 786432;
   const std::string compression = kind.find('-') == std::string::npos ? "" : kind.substr(kind.find('-') + 1);
   if (kind.rfind("bag", 0) == 0)
     return write_file(out, ros1_bag(maker.topics(), maker.messages(),
                                     compression.empty() ? "none" : compression, kChunkBytes));
-  if (kind.rfind("mcap", 0) == 0) {
-    McapOptions options;
-    options.is_closed = compression != "open";
-    options.compression = options.is_closed ? compression : "zstd";
-    options.chunk_bytes = kChunkBytes;
-    return write_file(out, mcap_file(maker.topics(), maker.messages(), options));
-  }
-  std::filesystem::create_directories(out);
-  write_db3(out + "/x_0.db3", maker.topics(), maker.messages(), compression);
-  write_file(out + "/metadata.yaml", ros2_metadata({"x_0.db3"}, maker.topics(), maker.messages(), "sqlite3",
-                                                   compression.empty() ? "" : "MESSAGE"));
+  if (compression == "folder") return write_folder(maker, "mcap", "", out);
+  if (kind.rfind("mcap", 0) == 0) return write_file(out, mcap_bytes(maker, compression));
+  if (compression == "alone") return write_db3(out, maker.topics(), maker.messages());
+  write_folder(maker, "sqlite3",
+               compression == "zstd"   ? "MESSAGE"
+               : compression == "file" ? "FILE"
+                                       : "",
+               out);
+}
+
+std::string netpbm(const char* type, const GrayImage& image, int largest, const std::string& pixels) {
+  return std::string(type) + "\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n" +
+         std::to_string(largest) + "\n" + pixels;
+}
+
+// A file of what an encoding shows: the colours of a Bayer pattern, else 16 bits.
+void write_image(const Frame& frame, const std::string& encoding, const std::string& folder) {
+  const GrayImage& image = frame.image;
+  const bool is_bayer = encoding.rfind("bayer", 0) == 0;
+  char name[16];
+  std::snprintf(name, sizeof name, "%06d.%s", frame.index, is_bayer ? "ppm" : "pgm");
+  write_file(folder + "/" + name, is_bayer
+                                      ? netpbm("P6", image, 255, rgb_of_bayer(image, pattern_of(encoding)))
+                                      : netpbm("P5", image, 65535, big_endian(encoded(image, encoding))));
 }
 
 std::map<int64_t, SE3> true_poses(const std::string& path) {
@@ -134,19 +165,23 @@ std::map<int64_t, SE3> true_poses(const std::string& path) {
 
 int main(int count, char** arguments) try {
   if (count < 5) throw InputError(arguments[0], "needs SOURCE KIND ENCODING OUT [TRUTH.txt]", "");
-  const std::string kind = arguments[2];
-  RecordingMaker maker(kind.rfind("bag", 0) == 0 ? Wire::kRos1 : Wire::kCdrLittle, arguments[3]);
+  const std::string kind = arguments[2], encoding = arguments[3], out = arguments[4];
+  RecordingMaker maker(kind.rfind("bag", 0) == 0 ? Wire::kRos1 : Wire::kCdrLittle, encoding);
   const std::map<int64_t, SE3> truth = count > 5 ? true_poses(arguments[5]) : std::map<int64_t, SE3>();
   maker.add_static();
   const auto source = open_source(arguments[1]);
   while (const auto frame = source->next()) {
+    if (kind == "images") {
+      write_image(*frame, encoding, out);
+      continue;
+    }
     maker.add(*frame, source->camera());
     const auto pose = truth.find(frame->time.ticks);
     if (pose == truth.end()) continue;
     maker.add_sensors(frame->time,
                       T_vehicle_cam_forward() * pose->second * T_vehicle_cam_forward().inverse());
   }
-  write(maker, kind, arguments[4]);
+  if (kind != "images") write(maker, kind, out);
 } catch (const InputError& e) {
   std::fprintf(stderr, "%s\n", e.what());
   return 2;

@@ -9,6 +9,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/files/image_names.h"
+#include "edgevo/recordings/recording.h"
 
 namespace edgevo {
 namespace {
@@ -61,14 +62,26 @@ int numbers_in(const std::string& name) {
   return count;
 }
 
+// A folder of other sources than images: which of them to give.
+[[noreturn]] void throw_without_images(const std::string& folder) {
+  std::string file;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string path = entry.path().string();
+    const bool is_source = entry.path().extension() == ".rawlog" || is_recording(path);
+    if (is_source && (file.empty() || path < file)) file = path;
+  }
+  if (!file.empty()) throw InputError(folder, "the folder holds no images", "give a file of it: " + file);
+  throw InputError(folder, "the folder holds no images", "put images there (png, jpg, bmp, pgm, ppm, tif)");
+}
+
 Names image_names(const std::string& folder) {
   Names names;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (is_image_name(entry.path())) names.push_back(entry.path().filename().string());
   if (error) throw InputError(folder, "the folder cannot be read: " + error.message(), "check the path");
-  if (names.empty())
-    throw InputError(folder, "the folder holds no images", "put images there (png, jpg, bmp, pgm, ppm, tif)");
+  if (names.empty()) throw_without_images(folder);
   std::sort(names.begin(), names.end(), natural_less);
   return names;
 }

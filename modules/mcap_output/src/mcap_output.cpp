@@ -64,7 +64,15 @@ struct McapOutput::Impl {
     if (streams) return write(*event);
     waiting.push_back(event);
     frames_waiting += std::holds_alternative<FrameAnchored>(*event);
-    if (metres || frames_waiting > kMaxWaiting) begin(metres.has_value());
+    if (metres) return begin(true);
+    if (frames_waiting > kMaxWaiting) begin_without_metres();
+  }
+  void begin_without_metres() {
+    begin(false);
+    note = "lengths in " + std::string(kMcapFile) +
+           " are in an arbitrary unit: no scale was found in the first " + std::to_string(kMaxWaiting) +
+           " frames";
+    streams->poses.log(RosLevel::kWarn, note);
   }
   void write(const MapEvent& event) {
     std::visit([this](const auto& e) { handle(e); }, event);
@@ -108,16 +116,20 @@ struct McapOutput::Impl {
   std::unique_ptr<Streams> streams;     // null until the unit is known
   std::deque<Event> waiting;
   int frames_waiting = 0;
+  std::string note;
   std::optional<Timestamp> last_image;
 };
 
 void McapOutput::Impl::write_end(const Run& finished, const OccupancyGrid* grid) {
   PoseStream& poses = streams->poses;
   const LiveEnd end = poses.end();
-  if (finished.is_metric() != streams->frames.is_metric())
-    return poses.log(RosLevel::kWarn,
-                     "path, lines and grid have another unit than this file and are not in it: the scale " +
-                         std::string(finished.is_metric() ? "came too late" : "was lost at the end"));
+  if (finished.is_metric() != streams->frames.is_metric()) {
+    const std::string why = "path, lines and grid have another unit than " + std::string(kMcapFile) +
+                            " and are not in it: the scale " +
+                            (finished.is_metric() ? "came too late" : "was lost at the end");
+    note += (note.empty() ? "" : "; ") + why;
+    return poses.log(RosLevel::kWarn, why);
+  }
   poses.write_last_change(final_T_map_odom(finished, end), streams->frames.changes() + 1);
   write_final_part(finished, grid, end, &file);
 }
@@ -139,6 +151,8 @@ void McapOutput::add_view(Timestamp time, const FrameView& view) {
   impl_->file.write(Topic::kCameraInfo, time, camera_message(header, impl_->run.pinhole));
   impl_->file.write(Topic::kImage, time, image_message(header, edge_image(view)));
 }
+
+const std::string& McapOutput::note() const { return impl_->note; }
 
 void McapOutput::flush() { impl_->file.end_chunk(); }
 

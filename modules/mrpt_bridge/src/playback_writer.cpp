@@ -106,12 +106,16 @@ void PlaybackWriter::finish(const Run& run, const PointFilter& filter) const {
   for (const KeyframeRecord& keyframe : run.keyframes) keyframes[keyframe.frame_index] = &keyframe;
 
   ObjectFile out((fs::path(folder_) / kRawlog).string());
+  if (!run.frames.empty())
+    out.write(*make_frames_observation(run, run.frames.front().time,
+                                       "EDGE_VO is final, in map; EDGE_VO_LIVE is in odom"));
   for (const FrameRecord& frame : run.frames) {
     if (const auto image = images.find(frame.index); image != images.end()) {
       const auto obs = make_image_observation(frame.time, sensor_label_, camera_, run.T_vehicle_cam);
       obs->image.setExternalStorage(image->second);
       out.write(*obs);
     }
+    if (const auto live = make_live_observation(run, frame)) out.write(*live);
     if (!frame.T_world_cam || !frame.T_world_cam->is_finite()) continue;
     out.write(*make_pose_observation(run, frame, *frame.T_world_cam));
     out.write(*make_odometry_observation(run, frame, *frame.T_world_cam));

@@ -28,6 +28,22 @@ mrpt::obs::CObservationRobotPose::Ptr make_pose_observation(const Run& run, cons
   return obs;
 }
 
+mrpt::obs::CObservationRobotPose::Ptr make_live_observation(const Run& run, const FrameRecord& frame) {
+  if (!frame.T_world_cam_live || !frame.T_world_cam_live->is_finite()) return nullptr;
+  auto obs = make_pose_observation(run, frame, *frame.T_world_cam_live);
+  obs->sensorLabel = "EDGE_VO_LIVE";
+  return obs;
+}
+
+mrpt::obs::CObservationComment::Ptr make_frames_observation(const Run& run, Timestamp time,
+                                                            const std::string& frames) {
+  auto obs = mrpt::obs::CObservationComment::Create();
+  obs->timestamp = to_mrpt(time);
+  obs->text = std::string("EDGE_VO: is_metric ") + (run.is_metric() ? "true; " : "false; ") + frames +
+              "; unit: " + unit_statement(run);
+  return obs;
+}
+
 mrpt::obs::CObservationOdometry::Ptr make_odometry_observation(const Run& run, const FrameRecord& frame,
                                                                const SE3& T_world_cam) {
   auto obs = mrpt::obs::CObservationOdometry::Create();

@@ -46,7 +46,7 @@ Eigen::Vector3d place_on_vehicle(const CObservation& observation, VehicleSensor 
   return from_mrpt(pose).translation();
 }
 
-bool is_our_own(const std::string& label) { return label == "EDGE_VO" || label == "EDGE_VO_ODO"; }
+bool is_our_own(const std::string& label) { return label.rfind("EDGE_VO", 0) == 0; }
 
 }  // namespace
 

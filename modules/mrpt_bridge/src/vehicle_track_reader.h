@@ -7,7 +7,7 @@
 //                Cartesian metres (WGS84, from the centre of the earth, first fix at the origin)
 //   kRobotPose   CObservationRobotPose
 // If several sensors of a kind were recorded, the one with the most positions is used. Poses that edgevo
-// itself wrote into a playback.rawlog (EDGE_VO, EDGE_VO_ODO) are ignored.
+// itself wrote into a playback.rawlog (EDGE_VO...) are ignored.
 #include <string>
 #include <vector>
 

@@ -123,7 +123,8 @@ void CEdgeVoSensor::process(const Grab& grab) {
   const FrameRecord record = track(grab);
   ++frames_;
   if (grab.frame.image.empty()) return;
-  const auto observations = observations_->make(grab, record, odometry_->frame_view());
+  const auto observations =
+      observations_->make(grab, record, odometry_->newest_pose(), odometry_->frame_view());
   for (const auto& object : observations)
     if (const auto observation = std::dynamic_pointer_cast<mrpt::obs::CObservation>(object))
       tail_.add(observation);

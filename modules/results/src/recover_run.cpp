@@ -107,7 +107,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   if (const auto up = decide_up(&run)) info.input.push_back(*up);
   scaling.convert(&run);
   const std::set<int> beyond = log.frames_beyond_damage();
-  RecoveredRun recovered{{}, frames_lost(beyond, run), !beyond.empty(), {}};
+  RecoveredRun recovered{{}, frames_lost(beyond, run), !beyond.empty(), {}, {}};
   if (recovered.is_damaged)
     info.notes.emplace_back("recovery_log", "damaged: " + std::to_string(recovered.frames_lost) +
                                                 " frames that it holds could not be recovered");
@@ -119,6 +119,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   outputs.adopt(std::move(mcap.output), mcap.failure);
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();
+  recovered.mcap_note = outputs.mcap_note();
   recovered.run = std::move(run);
   return recovered;
 }

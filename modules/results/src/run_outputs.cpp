@@ -197,11 +197,14 @@ void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   impl_->summary_reserve.release();
   export_files([](FileKind kind) { return kind == FileKind::kSummary; }, &context, &impl_->folder);
   impl_->map_note = context.map.note;
+  if (impl_->mcap) impl_->mcap_note = impl_->mcap->note();
   impl_->folder.throw_first_failure();
   if (!keep_log) remove_recovery_log(impl_->folder.path());
 }
 
 const std::string& RunOutputs::map_note() const { return impl_->map_note; }
+
+const std::string& RunOutputs::mcap_note() const { return impl_->mcap_note; }
 
 std::string RunOutputs::earlier_run() const {
   return impl_->earlier.is_set_aside() ? impl_->folder.path_of(kEarlierRun) : std::string();

@@ -53,7 +53,7 @@ struct RunOutputs::Impl {
   std::optional<MapCursor> mcap_events;
   std::unique_ptr<McapOutput> mcap;
   std::atomic<bool> images_failed{false};
-  std::string map_note;
+  std::string map_note, mcap_note;
   /// Files next to the frames: a disk that is busy holds a write up for 0.1 s. Last member: it ends before
   /// what it writes to.
   Worker writer;

@@ -222,6 +222,7 @@ bool RunSession::finish() {
   if (!outputs_->map_note().empty()) warn(outputs_->map_note());
   for (const ClosingLine& line : closing_lines(run, request_.out, request_.outputs.include_doubtful))
     line.is_warning ? warn(line.text) : print(line.text);
+  if (!outputs_->mcap_note().empty()) warn(outputs_->mcap_note());
   if (result_.broken) std::rethrow_exception(result_.broken);
   if (!run.scale.problem.empty())
     throw InputError(request_.out, "the results are in an arbitrary unit", run.scale.problem);

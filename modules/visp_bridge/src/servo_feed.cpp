@@ -40,6 +40,11 @@ std::string not_usable_because(const NewestPose& view, double age_s, const Servo
   return {};
 }
 
+// Camera in `odom`.
+SE3 T_odom_cam(const NewestPose& view, const SE3& T_cam_map) {
+  return Sim3{view.odom_scale, view.T_odom_map}.apply(T_cam_map.inverse());
+}
+
 }  // namespace
 
 void ServoFeed::publish(const NewestPose& view) {
@@ -49,6 +54,11 @@ void ServoFeed::publish(const NewestPose& view) {
       view.reference && newest_.reference &&
       !view.reference->camera.correction.has_lens_of(newest_.reference->camera.correction);
   if (other_segment || other_camera) ++map_version_;
+  if (other_segment && scale_.is_metric()) {
+    scale_.metres_per_unit *= view.odom_scale / last_odom_scale_;
+    scale_.relative_sigma = std::hypot(scale_.relative_sigma, view.scale_sigma);
+  }
+  if (view.reference) last_odom_scale_ = view.odom_scale;
   const double step = seconds_between(newest_.time, view.time);
   const bool follows = view.T_cam_map && newest_.T_cam_map && !other_segment && !other_camera && step > 0 &&
                        step <= options_.max_step_s;
@@ -68,6 +78,12 @@ void ServoFeed::set_scale(const ServoScale& scale) {
                      std::to_string(scale.metres_per_unit) + " metres per unit is not a scale",
                      "give a number larger than 0");
   const std::lock_guard<std::mutex> lock(mutex_);
+  Sim3 to_metres{scale.metres_per_unit / last_odom_scale_, SE3()};
+  if (scale_.is_metric() && newest_.T_cam_map) {
+    const Eigen::Vector3d position = T_odom_cam(newest_, *newest_.T_cam_map).translation();
+    to_metres.rigid = SE3(Eigen::Quaterniond::Identity(), to_metres_ * position - to_metres * position);
+  }
+  to_metres_ = to_metres;
   scale_ = scale;
 }
 
@@ -86,6 +102,8 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   pose.time = newest_.time;
   pose.scale = scale_;
   pose.map_version = map_version_;
+  pose.map_changes = newest_.world_changes;
+  pose.mMo = to_visp((to_metres_ * Sim3{1, newest_.T_world_odom} * to_metres_.inverse()).rigid);
   pose.age_s = newest_.frame_index < 0 ? 0 : seconds_between(newest_.time, now);
   pose.reason = failure_.empty() ? not_usable_because(newest_, pose.age_s, options_) : failure_;
   pose.usable = pose.reason.empty();
@@ -94,6 +112,7 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   const SE3 T_cam_map = SE3::exp(pose.predicted_s * velocity_) * *newest_.T_cam_map;
   pose.view.T_cam_map = T_cam_map;
   pose.cMw = to_visp(in_metres(T_cam_map, scale_.metres_per_unit));
+  pose.cMo = to_visp(to_metres_.apply(T_odom_cam(newest_, T_cam_map)).inverse());
   pose.cMw_at_image = to_visp(in_metres(*newest_.T_cam_map, scale_.metres_per_unit));
   // e = e_k + a (e_k - e_{k-1}) with a = predicted / step: the errors of both poses count.
   const double a = step_s_ > 0 ? pose.predicted_s / step_s_ : 0;

@@ -192,6 +192,27 @@ TEST_F(McapOutputTest, AScaleThatComesAtTheEndHoldsForAll) {
   EXPECT_EQ(read_strictly("check " + path).code, 0);
 }
 
+// Without one for two thousand frames the unit is arbitrary, which is said.
+TEST_F(McapOutputTest, AScaleThatComesTooLateIsSaid) {
+  run_.scale = parse_scale_sources("odometry");
+  const std::string path = folder_ / "run.mcap";
+  McapOutput output(path, run_);
+  FrameAnchored frame;
+  for (frame.frame.index = 0; frame.frame.index <= 2000; ++frame.frame.index) {
+    frame.frame.time.ticks += Timestamp::kTicksPerSecond;
+    EXPECT_EQ(output.note(), "");
+    output.apply({std::make_shared<const MapEvent>(MapEvent(frame))});
+  }
+  EXPECT_EQ(output.note(),
+            "lengths in run.mcap are in an arbitrary unit: no scale was found in the first 2000 frames");
+  edgevo::Run finished;
+  finished.scale_source = "odometry";
+  output.finish(finished, nullptr);
+  EXPECT_THAT(output.note(), HasSubstr("are not in it: the scale came too late"));
+  EXPECT_EQ(table_of(path, "/edgevo/is_metric", "data")[0][0], "False");
+  EXPECT_THAT(read_strictly("table " + path + " /rosout msg").text, HasSubstr(output.note().substr(0, 60)));
+}
+
 TEST_F(McapOutputTest, PointsLieWhereTheRecordsHaveThem) {
   const std::string path = write();
   const auto rows = numbers_of(path, "/edgevo/points", "header.stamp.sec width point_step");

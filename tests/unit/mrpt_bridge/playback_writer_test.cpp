@@ -77,7 +77,7 @@ TEST_F(PlaybackFiles, HoldsEveryImagePoseAndKeyframeInTimeOrder) {
   const edgevo::Run run = small_run();
   write(run);
   const auto all = read();
-  ASSERT_EQ(all.size(), 8u + 7 + 7 + 3);
+  ASSERT_EQ(all.size(), 8u + 7 + 7 + 3 + 1);
   for (size_t i = 1; i < all.size(); ++i) EXPECT_LE(all[i - 1]->timestamp, all[i]->timestamp);
   EXPECT_EQ(from_mrpt(all.front()->timestamp), run.frames.front().time);
   EXPECT_EQ(from_mrpt(all.back()->timestamp), run.frames.back().time);
@@ -88,10 +88,10 @@ TEST_F(PlaybackFiles, APoseThatIsNotToBeTrustedHasACommentThatSaysWhy) {
   run.frames[4].p_right = 0.05, run.frames[4].note = "corners contradict the scale";
   write(run);
   const auto comments = read_all<mrpt::obs::CObservationComment>();
-  ASSERT_EQ(comments.size(), 1u) << "a lost frame has no pose";
-  EXPECT_EQ(comments[0]->text,
+  ASSERT_EQ(comments.size(), 2u) << "a lost frame has no pose";
+  EXPECT_EQ(comments[1]->text,
             "EDGE_VO: frame 4 is not to be trusted (p_right 0.050, TRACKING): corners contradict the scale");
-  EXPECT_EQ(from_mrpt(comments[0]->timestamp), run.frames[4].time);
+  EXPECT_EQ(from_mrpt(comments[1]->timestamp), run.frames[4].time);
 }
 
 TEST_F(PlaybackFiles, ImagesAreByReferenceAndLossless) {
@@ -119,6 +119,23 @@ TEST_F(PlaybackFiles, PosesAreTheVehicles) {
   EXPECT_NEAR(odometry[6]->odometry.x(), V.translation().x(), 1e-9);
   EXPECT_NEAR(odometry[6]->odometry.y(), V.translation().y(), 1e-9);
   EXPECT_NEAR(odometry[6]->odometry.phi(), poses[6]->pose.mean.yaw(), 1e-9);
+}
+
+TEST_F(PlaybackFiles, LivePosesComeBeforeTheFinalOnes) {
+  edgevo::Run run = small_run();
+  run.scale_source = "odometry";
+  run.frames[7].T_world_cam_live = run.frames[6].T_world_cam;
+  write(run);
+  EXPECT_THAT(read_all<mrpt::obs::CObservationComment>().at(0)->text,
+              ::testing::StartsWith(
+                  "EDGE_VO: is_metric true; EDGE_VO is final, in map; EDGE_VO_LIVE is in odom; unit: "));
+  const auto poses = read_all<mrpt::obs::CObservationRobotPose>();
+  ASSERT_EQ(poses.size(), 8u);
+  EXPECT_EQ(poses[6]->sensorLabel, "EDGE_VO_LIVE");
+  EXPECT_EQ(poses[7]->sensorLabel, "EDGE_VO");
+  EXPECT_EQ(poses[6]->timestamp, poses[7]->timestamp);
+  const SE3 V = T_map_vehicle(run, *run.frames[6].T_world_cam);
+  EXPECT_LT((from_mrpt(poses[6]->pose.mean).inverse() * V).log().norm(), 1e-9);
 }
 
 // MRPT's own maps must turn pose and scan into the world points.

@@ -129,6 +129,47 @@ TEST(ServoFeed, TheScaleGivesMetres) {
   EXPECT_THROW(feed.set_scale({0, 0, "nonsense"}), InputError);
 }
 
+// A second map with another unit and origin, as the odometry joins it to the first.
+NewestPose in_second_map(const SE3& T_odom_cam) {
+  const Sim3 T_odom_map{2, SE3::exp(test::kMotion)};
+  NewestPose view = tracked(3, 10.3, T_odom_map.inverse().apply(T_odom_cam).inverse(), 1);
+  view.T_odom_map = T_odom_map.rigid, view.odom_scale = T_odom_map.scale;
+  return view;
+}
+
+TEST(ServoFeed, OdomGoesOnOverMapsAndScales) {
+  ServoFeed feed;
+  const SE3 T_cam_odom = SE3::exp(2 * test::kMotion);
+  feed.publish(tracked(0, 10, T_cam_odom));
+  EXPECT_LT(distance(feed.pose(at(10)).cMo, T_cam_odom), 1e-12);
+  EXPECT_LT(distance(feed.pose(at(10)).mMo, SE3()), 1e-12);
+  feed.set_scale({0.5, 0.02, "taught distance"});
+  const SE3 metric(T_cam_odom.rotation(), 0.5 * T_cam_odom.translation());
+  EXPECT_LT(distance(feed.pose(at(10)).cMo, metric), 1e-12);
+  feed.publish(in_second_map(T_cam_odom.inverse()));
+  EXPECT_LT(distance(feed.pose(at(10.3)).cMo, metric), 1e-9) << "the same place in another map";
+  EXPECT_NEAR(feed.pose(at(10.3)).scale.metres_per_unit, 1, 1e-12) << "its unit is twice as long";
+  feed.set_scale({1.1, 0.02, "taught distance"});
+  EXPECT_LT(distance(feed.pose(at(10.3)).cMo, metric), 1e-9) << "the newest pose stays";
+}
+
+TEST(ServoFeed, WhatIsFoundAboutThePastChangesMapAlone) {
+  ServoFeed feed;
+  feed.set_scale({0.5, 0, "given"});
+  NewestPose view = tracked(0, 10, SE3::exp(test::kMotion));
+  feed.publish(view);
+  const ServoPose before = feed.pose(at(10));
+  view.T_world_odom = SE3(Eigen::Quaterniond::Identity(), Eigen::Vector3d(4, 0, 0)), view.world_changes = 1;
+  feed.publish(view);
+  const ServoPose after = feed.pose(at(10));
+  EXPECT_LT(distance(after.cMo, to_se3(before.cMo)), 1e-12);
+  EXPECT_LT(distance(after.cMw, to_se3(before.cMw)), 1e-12);
+  EXPECT_NEAR(after.mMo[0][3], 2, 1e-12);
+  EXPECT_EQ(before.map_changes, 0);
+  EXPECT_EQ(after.map_changes, 1);
+  EXPECT_EQ(after.map_version, before.map_version);
+}
+
 TEST(ServoFeed, AnotherClockIsReported) {
   ServoFeed feed;
   feed.publish(tracked(0, 1000, SE3()));

@@ -79,6 +79,8 @@ class McapOutput {
   void flush();
   /// Writes what is known at the end, and the index. `grid`: null if there is none. Call once, last.
   void finish(const Run& run, const OccupancyGrid* grid);
+  /// What is to be said of the unit of the file, one line; empty where it is that of the run.
+  const std::string& note() const;
 
  private:
   struct Impl;

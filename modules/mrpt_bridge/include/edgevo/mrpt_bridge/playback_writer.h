@@ -3,11 +3,13 @@
 // playback.rawlog: a run as MRPT's tools play it (rawlog-edit, RawLogViewer).
 //
 // Images are written, or linked, during the run; the rawlog itself at the end, with the final poses. It is an
-// observations-only rawlog in time order; for each frame
+// observations-only rawlog in time order. First a CObservationComment: whether lengths are metres. For each
+// frame
 //   CObservationImage        label CAM0 (or as given), image by reference into playback_Images/, as the
 //                            camera took it
-//   CObservationRobotPose    label EDGE_VO: pose of the vehicle with its covariance (playback_pose.h), where
-//                            there is a pose
+//   CObservationRobotPose    label EDGE_VO_LIVE: pose of the vehicle in `odom`, as it was known then
+//   CObservationRobotPose    label EDGE_VO: final pose of the vehicle in `map` with its covariance
+//                            (playback_pose.h), where there is a pose
 //   CObservationOdometry     label EDGE_VO_ODO: the same in the plane, for RawLogViewer's "map from odometry"
 // and for each keyframe
 //   CObservation3DRangeScan  label EDGE_VO_POINTS: its edge points in the axes of the VEHICLE, sensorPose =

@@ -25,6 +25,8 @@ struct RecoveredRun {
   bool is_damaged = false;
   /// RunOutputs::map_note().
   std::string map_note;
+  /// RunOutputs::mcap_note().
+  std::string mcap_note;
 };
 
 /// How the results are written.

@@ -90,6 +90,8 @@ class RunOutputs {
   void end_unfinished();
   /// After finish(): why the voxels of the map are coarser than intended; empty where they are not.
   const std::string& map_note() const;
+  /// After finish(): McapOutput::note(); empty without run.mcap.
+  const std::string& mcap_note() const;
 
   /// Folder with the files of an earlier run, which are kept because this run has no pose; empty: none.
   std::string earlier_run() const;

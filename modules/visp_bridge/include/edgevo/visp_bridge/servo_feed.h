@@ -18,6 +18,9 @@
 // map is a new one or was corrected for the lens: goals must be taught again. `camera.refine: none`
 // (params/servo.yaml) turns correction of the lens off.
 //
+// For what is not fixed to one map: cMo, the camera in `odom`, which goes on smoothly over all maps and
+// drifts; and mMo, `odom` in `map` (share/doc/concepts.md, Frames). Both have the axes of the first camera.
+//
 // Distributed under the GPL when linked, as ViSP is (see LICENSE).
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpMatrix.h>
@@ -26,6 +29,7 @@
 #include <mutex>
 #include <string>
 
+#include "edgevo/core/sim3.h"
 #include "edgevo/odometry/newest_pose.h"
 
 namespace edgevo {
@@ -81,6 +85,14 @@ struct ServoPose {
   /// Covariance (6x6) of xi in cMw <- exp(xi) cMw, [v, w] in the camera frame, with the nearby map and the
   /// scale taken as known. Grows with the prediction. All zero: unknown.
   vpMatrix covariance;
+  /// `odom` to camera at the requested time; same unit as cMw. Smooth over all maps, unless the unit becomes
+  /// metres, and it drifts.
+  vpHomogeneousMatrix cMo;
+  /// `odom` to `map`, where things lie by what is known: rigid, the identity until something is found about
+  /// the past. Same unit as cMw.
+  vpHomogeneousMatrix mMo;
+  /// Number of changes of mMo by what was found so far.
+  int map_changes = 0;
   /// Version of the map. Poses and points of different versions must not be mixed.
   int map_version = 0;
   /// Scale of all lengths.
@@ -97,7 +109,9 @@ class ServoFeed {
 
   /// Publishes the result of the newest frame. Any thread; takes microseconds.
   void publish(const NewestPose& view);
-  /// Sets the scale: lengths are in metres from now on. Throws InputError unless it is positive and finite.
+  /// Sets the scale of the present map: lengths are in metres from now on. A later map has the scale that its
+  /// unit has in `odom`. Another scale leaves the newest pose in `odom` where it is. Throws InputError unless
+  /// it is positive and finite.
   void set_scale(const ServoScale& scale);
   /// Reports that the odometry has ended with this message; no pose is usable from now on.
   void fail(const std::string& message);
@@ -116,7 +130,11 @@ class ServoFeed {
   /// Interval that the velocity was measured over; 0: there is none.
   double step_s_ = 0;
   int map_version_ = 0;
+  /// Of the newest map.
+  double last_odom_scale_ = 1;
   ServoScale scale_;
+  /// From `odom` in the unit of the odometry to that in metres.
+  Sim3 to_metres_;
   std::string failure_;
 };
 
