@@ -19,8 +19,6 @@
 namespace edgevo::python {
 namespace {
 
-constexpr int kMaxFramesAheadOfMapping = 3;  // as `edgevo run --realtime` on a live camera
-
 // What the ground says of the past, as run_odometry() follows it: equal frames give equal bytes.
 class GroundFollower {
  public:
@@ -79,8 +77,7 @@ PyOdometry::PyOdometry(const Arguments& a)
       log_(a.function("log")),
       options_(odometry_options(camera_, a.seed("seed", 1))),
       images_(camera_) {
-  options_.realtime = options_.on_schedule = a.flag("realtime", false);
-  if (options_.realtime) options_.max_frames_ahead = kMaxFramesAheadOfMapping;
+  options_.realtime = a.flag("realtime", false);
   options_.forget = a.flag("forget", false);
   if (log_) options_.log = [this](const std::string& line) { lines_.add(line); };
   info_ = describe_run(camera_, params_, options_);
@@ -185,8 +182,8 @@ void add_odometry(py::module_& module) {
   py::class_<PyOdometry> odometry(
       module, "Odometry",
       "Images in, poses out, as they come.\n\n"
-      "params: dict of names and values (params()); seed: equal seeds give equal results; realtime: for a\n"
-      "live camera, tracks and maps in threads of their own; on_event(event): called with each Event;\n"
+      "params: dict of names and values (params()); seed: equal seeds give equal results; realtime:\n"
+      "tracks and maps in threads of their own, for a live camera; on_event(event): called with each Event;\n"
       "log(line): called with a str; forget: keeps nothing in memory, for runs of any length: finish() then\n"
       "returns the newest frames only. Callbacks are called in the thread of process(), after the frame.");
   define_init(odometry,

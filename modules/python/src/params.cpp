@@ -46,6 +46,17 @@ void read(py::handle object, const std::string& prefix, const std::string& where
   }
 }
 
+// A text as YAML has it: in single quotes, doubled within, where it would be something else.
+std::string unquoted(const std::string& text) {
+  if (text.size() < 2 || text.front() != '\'' || text.back() != '\'') return text;
+  std::string plain;
+  for (size_t i = 1; i + 1 < text.size(); ++i) {
+    plain += text[i];
+    if (text[i] == '\'') ++i;
+  }
+  return plain;
+}
+
 // The value as the Python type that it stands for.
 py::object parsed(const ParamDescription& param) {
   if (param.value == "true" || param.value == "false") return py::bool_(param.value == "true");
@@ -56,7 +67,7 @@ py::object parsed(const ParamDescription& param) {
       if (!e.matches(PyExc_ValueError)) throw;
     }
   }
-  return py::str(param.value);
+  return py::str(unquoted(param.value));
 }
 
 py::dict all_params() {
