@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edgevo/core/error.h"
-
 namespace edgevo::python {
 namespace {
 
@@ -61,7 +59,7 @@ std::string value_of(py::handle object) {
 
 void check_no_null(const std::string& text, const std::string& where) {
   if (text.find('\0') != std::string::npos)
-    throw InputError(where, "holds a null character", "give a text without");
+    throw bad_value(where, "holds a null character", "give a text without");
 }
 
 }  // namespace
@@ -103,8 +101,16 @@ std::string describe(py::handle object) {
   return has_short_value ? type + " " + value_of(object) : type;
 }
 
+InputError bad_value(const std::string& where, const std::string& what, const std::string& remedy) {
+  const size_t end = where.find("(): ");
+  if (end == std::string::npos) return {where, what, remedy};
+  return {where.substr(0, end + 2), where.substr(end + 4) + " " + what, remedy};
+}
+
 std::optional<py::int_> whole_number(py::handle object) {
-  if (PyBool_Check(object.ptr()) || !PyIndex_Check(object.ptr()) || py::isinstance<py::array>(object))
+  // numpy's bool has an index, too, which is deprecated.
+  if (PyBool_Check(object.ptr()) || !PyIndex_Check(object.ptr()) || py::isinstance<py::array>(object) ||
+      type_of(object) == "numpy.bool_")
     return std::nullopt;
   PyObject* const number = PyNumber_Index(object.ptr());
   if (!number) throw py::error_already_set();
@@ -152,7 +158,7 @@ std::string Arguments::text(const char* argument) const {
   try {
     text = py::cast<std::string>(at(argument));
   } catch (py::error_already_set&) {
-    throw InputError(where(argument), "is no valid Unicode", "give another text");
+    throw bad_value(where(argument), "is no valid Unicode", "give another text");
   }
   check_no_null(text, where(argument));
   return text;
@@ -165,7 +171,7 @@ std::string Arguments::path(const char* argument) const {
     refuse(argument, "a path (str or os.PathLike)");
   const std::string path = py::cast<std::string>(py::module_::import("os").attr("fsencode")(object));
   check_no_null(path, where(argument));
-  if (path.empty()) throw InputError(where(argument), "is an empty path", "name a file or folder");
+  if (path.empty()) throw bad_value(where(argument), "is an empty path", "name a file or folder");
   return path;
 }
 
@@ -181,7 +187,7 @@ double Arguments::number(const char* argument) const {
     refuse(argument, "a number");
   }
   if (!std::isfinite(value))
-    throw InputError(where(argument), "is " + std::string(py::str(object)), "give a finite number");
+    throw bad_value(where(argument), "is " + std::string(py::str(object)), "give a finite number");
   return value;
 }
 
@@ -195,8 +201,8 @@ int Arguments::integer(const char* argument, int min, int max) const {
   int overflow = 0;
   const long long value = PyLong_AsLongLongAndOverflow(number->ptr(), &overflow);
   if (overflow != 0 || value < min || value > max)
-    throw InputError(where(argument), "is " + value_of(*number),
-                     "give a number from " + std::to_string(min) + " to " + std::to_string(max));
+    throw bad_value(where(argument), "is " + value_of(*number),
+                    "give a number from " + std::to_string(min) + " to " + std::to_string(max));
   return int(value);
 }
 
@@ -207,7 +213,7 @@ uint64_t Arguments::seed(const char* argument, uint64_t otherwise) const {
   const unsigned long long value = PyLong_AsUnsignedLongLong(number->ptr());
   if (PyErr_Occurred()) {
     PyErr_Clear();
-    throw InputError(where(argument), "is " + value_of(*number), "give a number from 0 to 2**64 - 1");
+    throw bad_value(where(argument), "is " + value_of(*number), "give a number from 0 to 2**64 - 1");
   }
   return value;
 }
@@ -236,15 +242,15 @@ std::pair<int, std::optional<int>> Arguments::range(const char* argument) const 
     int overflow = 0;
     const long long n = PyLong_AsLongLongAndOverflow(value->ptr(), &overflow);
     if (overflow != 0 || n < 0 || n > 1'000'000'000)
-      throw InputError(where(argument), "holds " + value_of(*value), "count frames from 0");
+      throw bad_value(where(argument), "holds " + value_of(*value), "count frames from 0");
     return int(n);
   };
   const int first = number(0);
   if (py::object(pair[1]).is_none()) return {first, std::nullopt};
   const int end = number(1);
   if (end <= first)
-    throw InputError(where(argument), "ends at " + std::to_string(end) + " before it begins",
-                     "give (first, end) with end after first");
+    throw bad_value(where(argument), "ends at " + std::to_string(end) + " before it begins",
+                    "give (first, end) with end after first");
   return {first, end};
 }
 
@@ -256,7 +262,7 @@ Timestamp time_of(py::handle object, const std::string& where) {
     int overflow = 0;
     const long long ns = PyLong_AsLongLongAndOverflow(number->ptr(), &overflow);
     if (overflow != 0)
-      throw InputError(where, "is " + value_of(*number), "give nanoseconds that fit into 64 bits");
+      throw bad_value(where, "is " + value_of(*number), "give nanoseconds that fit into 64 bits");
     return Timestamp::from_nanoseconds(ns);
   }
   if (!PyFloat_Check(object.ptr()))
@@ -264,7 +270,7 @@ Timestamp time_of(py::handle object, const std::string& where) {
                          "; seconds (float) or nanoseconds (int) are wanted");
   const double seconds = PyFloat_AS_DOUBLE(object.ptr());
   if (!std::isfinite(seconds) || std::abs(seconds) > kMaxSeconds)
-    throw InputError(where, "is " + value_of(object) + " seconds", "give the time of the image");
+    throw bad_value(where, "is " + value_of(object) + " seconds", "give the time of the image");
   return Timestamp::from_seconds(seconds);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "edgevo/core/error.h"
 #include "edgevo/core/timestamp.h"
 
 namespace edgevo::python {
@@ -41,6 +42,10 @@ class Signature {
   std::vector<Argument> arguments_;
   size_t positional_ = 0;
 };
+
+/// The error of a value: `where` is the function with the argument, "Camera(): width", and `what` goes on
+/// from there, "is 0".
+InputError bad_value(const std::string& where, const std::string& what, const std::string& remedy);
 
 /// What an object is, for messages: "None", "str 'a'", "an array of float64, 480 x 640".
 std::string describe(py::handle object);

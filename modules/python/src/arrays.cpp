@@ -43,12 +43,12 @@ std::vector<Eigen::Vector3d> to_points(py::handle object, const std::string& whe
   }
   const bool is_point = array.ndim() == 1 && array.shape(0) == 3;
   const bool is_list = array.ndim() == 2 && array.shape(1) == 3;
-  if (!is_point && !is_list) throw InputError(where, "is " + describe(array), "give 3 or N x 3 numbers");
+  if (!is_point && !is_list) throw bad_value(where, "is " + describe(array), "give 3 or N x 3 numbers");
   std::vector<Eigen::Vector3d> points(size_t(array.size()) / 3);
   const double* value = array.data();
   for (Eigen::Vector3d& p : points) p = Eigen::Vector3d(value[0], value[1], value[2]), value += 3;
   for (const Eigen::Vector3d& p : points)
-    if (!p.allFinite()) throw InputError(where, "holds NaN or infinity", "give finite numbers");
+    if (!p.allFinite()) throw bad_value(where, "holds NaN or infinity", "give finite numbers");
   return points;
 }
 

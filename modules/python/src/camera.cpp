@@ -39,7 +39,7 @@ std::string listed(const std::vector<double>& numbers) {
 std::string calibration_text(const Arguments& a, const std::string& model) {
   std::vector<double> d = coefficients(a);
   if (model == "pinhole" && !d.empty())
-    throw InputError("Camera(): d", "has coefficients, but a pinhole has none", "name the model of the lens");
+    throw bad_value("Camera(): d", "has coefficients, but a pinhole has none", "name the model of the lens");
   if (model == "pinhole") d.assign(4, 0);
   return formatted("image_width: %d\nimage_height: %d\n", a.integer("width", 1, kMaxSide),
                    a.integer("height", 1, kMaxSide)) +
@@ -52,7 +52,7 @@ std::string calibration_text(const Arguments& a, const std::string& model) {
 Camera make_camera(const Arguments& a) {
   const std::string model = a.text("model");
   if (model.empty() || model.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789") != std::string::npos)
-    throw InputError("Camera(): model", "is " + describe(a.at("model")), std::string("give ") + kModels);
+    throw bad_value("Camera(): model", "is " + describe(a.at("model")), std::string("give ") + kModels);
   return parse_camera(calibration_text(a, model), "Camera()");
 }
 

@@ -36,7 +36,7 @@ SE3 pose_of(const double* row_major, const std::string& where) {
   const RowMajor T = Eigen::Map<const RowMajor>(row_major);
   const Eigen::Matrix3d R = T.topLeftCorner<3, 3>();
   if (!(R.transpose() * R).isIdentity(kTolerance) || R.determinant() < 0)
-    throw InputError(where, "holds a matrix that is no rigid motion", "give (N, 4, 4) poses T_world_cam");
+    throw bad_value(where, "holds a matrix that is no rigid motion", "give (N, 4, 4) poses T_world_cam");
   return {R, T.topRightCorner<3, 1>()};
 }
 
@@ -59,7 +59,7 @@ Trajectory trajectory_of_arrays(const Arguments& a) {
     trajectory.poses.push_back({Timestamp::from_seconds(times.at(i)), pose_of(T, a.where("truth"))});
     const size_t n = trajectory.poses.size();
     if (n > 1 && !(trajectory.poses[n - 2].time < trajectory.poses[n - 1].time))
-      throw InputError(a.where("truth"), "holds times that do not increase", "sort it by time");
+      throw bad_value(a.where("truth"), "holds times that do not increase", "sort it by time");
   }
   return trajectory;
 }

@@ -45,10 +45,10 @@ void ImageInput::check(py::handle object, const std::string& where) const {
       py::isinstance<py::array_t<uint8_t>>(array) || py::isinstance<py::array_t<uint16_t>>(array);
   if (!has_type) throw py::type_error(where + " is " + describe(object) + "; " + wanted);
   if (!kind_of(array) || array.shape(0) != height_ || array.shape(1) != width_)
-    throw InputError(where, "is " + describe(object), wanted);
+    throw bad_value(where, "is " + describe(object), wanted);
   if (!(array.flags() & py::array::c_style))
-    throw InputError(where, "is " + describe(object) + " whose rows are not one after another in memory",
-                     "give numpy.ascontiguousarray(image)");
+    throw bad_value(where, "is " + describe(object) + " whose rows are not one after another in memory",
+                    "give numpy.ascontiguousarray(image)");
 }
 
 void ImageInput::read(py::handle object, const std::string& where, GrayImage* image) {
@@ -56,7 +56,7 @@ void ImageInput::read(py::handle object, const std::string& where, GrayImage* im
   const auto array = py::reinterpret_borrow<py::array>(object);
   const Kind kind = *kind_of(array);
   if (!kind_.empty() && kind_ != name_of(kind))
-    throw InputError(where, "is " + describe(object), "the images before it were " + kind_);
+    throw bad_value(where, "is " + describe(object), "the images before it were " + kind_);
   image->width = width_, image->height = height_;
   if (kind == Kind::kGray) read_gray(array, image);
   if (kind == Kind::kColour) read_colour(array, image);

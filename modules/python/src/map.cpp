@@ -11,6 +11,7 @@
 #include "classes.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/formatted.h"
+#include "edgevo/occupancy/map_size.h"
 #include "edgevo/occupancy/octree_map.h"
 #include "edgevo/results/run_maps.h"
 #include "run.h"
@@ -24,13 +25,15 @@ using octomap::point3d;
 
 // The maps of a run for planners: octree and grid, in the axes of the map files.
 struct PyMap {
-  PyMap(const Run& run, const MapParams& params)
-      : octree(run, params.occupancy),
+  PyMap(const Run& run, const MapParams& params, std::string note_on_size)
+      : note(std::move(note_on_size)),
+        octree(run, params.occupancy),
         grid(make_grid(run, octree, camera_height_of(run, params.grid), params.grid)),
         unit(unit_statement(run)) {}
 
   const OcTree& tree() const { return octree.tree(); }
 
+  std::string note;
   OctreeMap octree;
   OccupancyGrid grid;
   std::string unit;
@@ -38,9 +41,11 @@ struct PyMap {
 
 std::unique_ptr<PyMap> make_map(const Arguments& a) {
   const std::shared_ptr<const RunContents> contents = run_argument(a, "run").contents;
-  const MapParams params = a.has("params") ? run_params(a, "params").map : contents->map;
+  MapParams params = a.has("params") ? run_params(a, "params").map : contents->map;
   const py::gil_scoped_release released;
-  return std::make_unique<PyMap>(contents->run, params);
+  std::string note = coarsen_to_fit(contents->run, free_memory(), &params.occupancy);
+  check_map_size(contents->run, params.occupancy, free_memory(), "Map()");
+  return std::make_unique<PyMap>(contents->run, params, std::move(note));
 }
 
 point3d to_octomap(const Eigen::Vector3d& p) { return {float(p.x()), float(p.y()), float(p.z())}; }
@@ -176,6 +181,7 @@ void add_map(py::module_& module) {
   map.def_property_readonly(
       "voxel", [](const PyMap& m) { return m.tree().getResolution(); }, "Side of a voxel of the OctoMap.");
   map.def_readonly("unit", &PyMap::unit, "Unit of all lengths, in words.");
+  map.def_readonly("note", &PyMap::note, "Why the voxels are coarser than usual; empty: they are not.");
   map.def("__repr__", map_in_words);
 }
 

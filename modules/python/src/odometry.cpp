@@ -101,11 +101,11 @@ void PyOdometry::check_time(const Arguments& a) const {
   const std::string before = to_string(newest_->time) + " s, that of the frame before";
   const bool is_int = whole_number(a.at("time")).has_value();
   if (is_int && step_s < kShortestStep_s && step_s > -kShortestStep_s)
-    throw InputError(a.where("time"), "is " + describe(a.at("time")) + ", in nanoseconds, next to " + before,
-                     "give seconds as float");
+    throw bad_value(a.where("time"), "is " + describe(a.at("time")) + ", in nanoseconds, next to " + before,
+                    "give seconds as float");
   if (step_s <= 0)
-    throw InputError(a.where("time"), "is " + to_string(frame_.time) + " s, not after " + before,
-                     "give images in the order of their times");
+    throw bad_value(a.where("time"), "is " + to_string(frame_.time) + " s, not after " + before,
+                    "give images in the order of their times");
 }
 
 void PyOdometry::read_frame(const Arguments& a) {
@@ -167,7 +167,8 @@ PyRun PyOdometry::finish() {
     contents->run = odometry_->finish();
     odometry_.reset();
     if (const auto up = decide_up(&contents->run)) info_.input.push_back(*up);
-    if (recorder_) contents->frames = recorder_->take();
+    if (recorder_)
+      contents->frames = recorder_->take_frames(), contents->events_at_end = recorder_->take_events();
     contents->camera = camera_, contents->info = info_, contents->map = params_.map;
   }
   events_.reset(), recorder_.reset(), ground_.reset();

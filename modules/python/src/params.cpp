@@ -12,10 +12,10 @@ std::string text_of(py::handle value, const std::string& where) {
   if (PyBool_Check(value.ptr())) return value.ptr() == Py_True ? "true" : "false";
   if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
   if (PyFloat_Check(value.ptr())) return py::repr(py::float_(PyFloat_AS_DOUBLE(value.ptr())));
-  if (const auto number = whole_number(value)) return std::string(py::str(py::object(*number)));
   // A scalar of numpy as the plain one that it holds.
   if (py::hasattr(value, "dtype") && !py::isinstance<py::array>(value) && py::hasattr(value, "item"))
     return text_of(value.attr("item")(), where);
+  if (const auto number = whole_number(value)) return std::string(py::str(py::object(*number)));
   throw py::type_error(where + " is " + describe(value) + "; bool, int, float or str is wanted");
 }
 
@@ -37,8 +37,8 @@ void read(py::handle object, const std::string& prefix, const std::string& where
       throw py::type_error(where + " has the key " + describe(key) + "; names of parameters are str");
     const std::string name = prefix + std::string(py::str(key));
     if (name.find('=') != std::string::npos || name.find('\0') != std::string::npos)
-      throw InputError(where, "has the key '" + name.substr(0, name.find('\0')) + "'",
-                       "give the name of a parameter; edgevo.params() lists them");
+      throw bad_value(where, "has the key '" + name.substr(0, name.find('\0')) + "'",
+                      "give the name of a parameter; edgevo.params() lists them");
     if (py::isinstance<py::dict>(value))
       read(value, name + ".", where, params);
     else

@@ -56,8 +56,8 @@ void add_points(const Run& run, const KeyframeRecord& keyframe, double max_sigma
 py::array points_of(PyRun& r, const Arguments& a) {
   const double max_sigma = a.number("sigma_max", PointFilter().max_relative_sigma);
   if (max_sigma <= 0 || max_sigma > kMaxSigma)
-    throw InputError(a.where("sigma_max"), "is " + describe(a.at("sigma_max")),
-                     "give a share of the depth, above 0");
+    throw bad_value(a.where("sigma_max"), "is " + describe(a.at("sigma_max")),
+                    "give a share of the depth, above 0");
   std::vector<Eigen::Vector3d> points;
   for (const KeyframeRecord& k : run_of(r).keyframes) add_points(run_of(r), k, max_sigma, &points);
   return to_array(points);

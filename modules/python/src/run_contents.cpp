@@ -24,6 +24,7 @@ void replay(const RunContents& contents, const std::shared_ptr<MapLog>& log, Run
     if (!outputs->add_frame(frame, f.image_path)) return;  // finish() throws the reason
     outputs->add_record(f.record);
   }
+  for (const auto& event : contents.events_at_end) log->append(*event);
 }
 
 void add_frames(const std::string& folder, Run* run) {

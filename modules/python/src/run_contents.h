@@ -35,7 +35,9 @@ class RunRecorder {
   /// Takes what has happened up to this frame.
   void add(const FrameRecord& record, const std::string& image_path);
   /// The frames so far.
-  std::vector<RecordedFrame> take() { return std::move(frames_); }
+  std::vector<RecordedFrame> take_frames() { return std::move(frames_); }
+  /// What has happened since the last of them, such as at the end of the run.
+  std::vector<std::shared_ptr<const MapEvent>> take_events() { return events_.read(); }
 
  private:
   MapCursor events_;
@@ -58,6 +60,8 @@ struct RunContents {
   VehicleTracks tracks;
   /// Frame by frame; empty: not kept.
   std::vector<RecordedFrame> frames;
+  /// What happened after the last of them.
+  std::vector<std::shared_ptr<const MapEvent>> events_at_end;
   /// Folder that it was read from; empty: it was not.
   std::string folder;
 };

@@ -143,7 +143,8 @@ RunContents SourceRun::track() {
   contents.run = std::move(result.run);
   if (const auto up = decide_up(&contents.run)) contents.info.input.push_back(*up);
   scaling_.convert(&contents.run);
-  contents.frames = recorder_.take();
+  contents.frames = recorder_.take_frames();
+  contents.events_at_end = recorder_.take_events();
   return contents;
 }
 

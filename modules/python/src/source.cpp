@@ -75,7 +75,7 @@ std::unique_ptr<PySource> open_source_of(const Arguments& a) {
   if (a.has("frames")) std::tie(options.first, options.last) = a.range("frames");
   options.fps = a.number("fps", 0);
   if (options.fps < 0 || options.fps > kMaxFps)
-    throw InputError(a.where("fps"), "is " + describe(a.at("fps")), "give frames per second, above 0");
+    throw bad_value(a.where("fps"), "is " + describe(a.at("fps")), "give frames per second, above 0");
   return open(options);
 }
 

@@ -153,7 +153,7 @@ MISUSES: dict[str, Misuse] = {
     "a list as params": (lambda f: odometry(params=["edges"]), T, "params is list; a dict of names and values"),
     "a number as name": (lambda f: odometry(params={1: 2}), T, "names of parameters are str"),
     "an unknown parameter": (lambda f: odometry(params={"edges.detectr": "canny"}), E, "did you mean 'edges.detector'?"),
-    "out of range": (lambda f: odometry(params={"edges": {"percentile": 7}}), E, "out of range; it must be between"),
+    "out of range": (lambda f: odometry(params={"edges": {"canny_percentile": 7}}), E, "out of range; it must be between"),
     "a value of another type": (lambda f: odometry(params={"health.corners": 3.5}), E, "is neither true nor false"),
     "a list as value": (lambda f: odometry(params={"health.corners": [1]}), T, "params[health.corners] is list"),
     "a group as value": (lambda f: odometry(params={"health": True}), E, "is a group of parameters"),
@@ -192,7 +192,7 @@ MISUSES: dict[str, Misuse] = {
     # Runs
     "an unknown scale": (lambda f: edgevo.run(scene.source(), scale="gsp"), E, "gps"),
     "a run by its class": (lambda f: edgevo.Run(), T, "No constructor defined"),
-    "a folder that holds no run": (lambda f: edgevo.load_run(f), E, "frames.csv"),
+    "a folder that holds no run": (lambda f: edgevo.load_run(f), E, "cannot be read"),
     "a run that is not there": (lambda f: edgevo.load_run(f + "/none"), E, "is not a folder"),
     "a file where the folder of a run is to be": (lambda f: scene.run().save(__file__), E, "misuse_test.py"),
     "a trajectory into a folder that is not there": (lambda f: scene.run().to_tum(f + "/no/a.txt"), E, "no/a.txt"),

@@ -106,7 +106,7 @@ class Results(unittest.TestCase):
         edgevo.Odometry(scene.camera(), {"recovery": {"max_frames": np.int64(7)}, "health.corners": np.bool_(False)})
 
     def test_a_parameter_counts(self) -> None:
-        few = edgevo.run(scene.Replay(), params={"edges": {"percentile": 0.8}})
+        few = edgevo.run(scene.Replay(), params={"edges": {"canny_percentile": 0.8}})
         self.assertFalse(np.array_equal(few.poses, scene.run().poses, equal_nan=True))
 
 
