@@ -6,8 +6,8 @@
 namespace edgevo {
 namespace {
 
-// Folder of the shared library that this code is linked into, such as a module of Python, whose program is not
-// ours; empty if it is the program itself.
+// Folder of the shared library that this code is linked into, such as a module of Python, whose program is
+// not ours; empty if it is the program itself.
 std::filesystem::path library_folder() {
   Dl_info found;
   if (dladdr(reinterpret_cast<void*>(&data_folder_of), &found) == 0 || !found.dli_fname) return {};

@@ -17,7 +17,7 @@ namespace edgevo::python {
 
 namespace py = pybind11;
 
-/// The signature of a function as it stands in its documentation: "Camera(model, width, *, d=())". Arguments
+/// The signature of a function as its documentation has it: "Camera(model, width, *, d=())". Arguments
 /// with `=` are optional, those behind `*` are given by their names.
 class Signature {
  public:

@@ -215,6 +215,9 @@ void add_run(py::module_& module) {
   run.def_property_readonly(
       "is_metric", [](const PyRun& r) { return run_of(r).is_metric(); }, "Whether lengths are metres.");
   run.def_property_readonly(
+      "scale_problem", [](const PyRun& r) { return run_of(r).scale.problem; },
+      "Why lengths are not metres although a scale was wanted; else empty.");
+  run.def_property_readonly(
       "T_map_world", [](const PyRun& r) { return to_array(std::make_optional(T_map_world(run_of(r)))); },
       "From the world to the axes of Map, 4 x 4: x forward, z up.");
   define(run, "Run.points(sigma_max=0.15)", points_of,

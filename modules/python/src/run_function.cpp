@@ -181,6 +181,8 @@ PyRun run(const Arguments& a) {
     of_user = frames_of(py::reinterpret_borrow<py::object>(a.at("source")),
                         [&python](const std::string& line) { python.say(line); });
   auto contents = std::make_shared<RunContents>(track(of_user ? *of_user : *source.source, request, python));
+  if (!contents->run.scale.problem.empty())
+    python.say("the results are in an arbitrary unit: " + contents->run.scale.problem);
   python.end();
   if (contents->run.frames.empty())
     throw InputError(source.options.path.empty() ? "run(): source" : source.options.path, "has no frames",

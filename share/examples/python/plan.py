@@ -73,6 +73,9 @@ def main(arguments: list[str]) -> int:
         return 2
     source, height, radius, out = arguments[0], arguments[1], float(arguments[2]), arguments[3]
     run = edgevo.run(source, scale=f"camera_height={height}")
+    if not run.is_metric:
+        print(f"plan.py: no metres: {run.scale_problem}", file=sys.stderr)
+        return 1
     plan_map = edgevo.Map(run)
     print(f"{plan_map}; {plan_map.unit}")
 

@@ -44,7 +44,7 @@ class Examples(unittest.TestCase):
         self.assertRegex(checked.stdout, r"(?m)^ *1 /edgevo/path ")
 
     def test_plan(self) -> None:
-        scene.write_folder(edgevo.simulate(scene.small_scene("street"), frames=(0, 60)), self.folder)
+        scene.write_folder(edgevo.simulate("street", frames=(0, 50)), self.folder)
         done = start(EXAMPLES / "plan.py", self.folder, "1.65", "0.8", "path.txt", folder=self.folder)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         path = np.loadtxt(f"{self.folder}/path.txt")
