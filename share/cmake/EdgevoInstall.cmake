@@ -7,7 +7,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/share/cmake/edgevoConfig.cma
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/edgevoConfig.cmake ${PROJECT_BINARY_DIR}/edgevoConfigVersion.cmake
   DESTINATION ${EDGEVO_PACKAGE_DIR} COMPONENT devel)
-install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel)
+install(DIRECTORY share/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/edgevo COMPONENT devel PATTERN python EXCLUDE)
 
 set(EDGEVO_DATA_DIR ${CMAKE_INSTALL_DATADIR}/edgevo)
 # Python scripts are not installed: the package needs no Python.

@@ -77,6 +77,15 @@ edgevo_package(plugin edgevo-mrpt-plugin "edge visual odometry in MRPT's own pro
 the image, the pose and the 3D edges of a camera as they come; and an OctoMap
 class made for edges, for the programs of MRPT that build maps."
   SECTION science DEPENDS "edgevo (= ${version})" RECOMMENDS "mrpt-apps")
+if(TARGET edgevo_py)
+  string(REGEX REPLACE "^3\\." "" python_minor ${EDGEVO_PYTHON_VERSION})
+  math(EXPR next_minor "${python_minor} + 1")
+  edgevo_package(python python3-edgevo "edge visual odometry: import edgevo"
+    "A package for Python: images in as arrays of numpy, poses, points and maps out;
+typed, with examples. For the version of Python of this system."
+    SECTION python DEPENDS "edgevo (= ${version}), python3 (>= ${EDGEVO_PYTHON_VERSION}), python3 (<< 3.${next_minor}), python3-numpy"
+    SUGGESTS "python3-opencv, edgevo-doc")
+endif()
 if(TARGET edgevo-servo)
   edgevo_package(servo edgevo-servo "visual servoing on edge visual odometry, in a simulator"
     "The program behind `edgevo servo`: ViSP's control laws close a loop around a

@@ -7,7 +7,8 @@ build=$(cd "$(dirname "$edgevo")/.." && pwd)
 
 run_code 0 cpack --config "$build/CPackConfig.cmake" -B debs -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip
 [ -f debs/edgevo-servo_*.deb ] 2>/dev/null && visp=1 || visp=0
-check "packages" "$(ls debs/*.deb | wc -l)" -eq $((5 + 2 * visp))
+[ -f debs/python3-edgevo_*.deb ] 2>/dev/null && python=1 || python=0
+check "packages" "$(ls debs/*.deb | wc -l)" -eq $((5 + 2 * visp + python))
 deb() { echo debs/"$1"_*.deb; }
 # holds PACKAGE PATH: a regular expression for a whole path.
 holds() {
@@ -42,6 +43,14 @@ needs edgevo-view "libmrpt-gui.*"
 check "what edgevo needs of MRPT's windows" "$(depends edgevo | grep -c 'mrpt-gui')" -eq 0
 needs edgevo-mrpt-plugin "libmrpt-hwdrivers.*"
 check "scripts in Python, which it does not depend on" "$(dpkg-deb -c $(deb edgevo) | grep -c '\.py$')" -eq 0
+if [ $python -eq 1 ]; then
+  holds python3-edgevo "lib/python3/dist-packages/edgevo/_edgevo.*\\.so"
+  holds python3-edgevo lib/python3/dist-packages/edgevo/__init__.py
+  holds python3-edgevo lib/python3/dist-packages/edgevo/py.typed
+  holds python3-edgevo share/doc/python3-edgevo/examples/webcam.py
+  needs python3-edgevo python3-numpy
+  check "what it needs of ViSP and MRPT's windows" "$(depends python3-edgevo | grep -c 'visp\|mrpt-gui')" -eq 0
+fi
 # Code that links ViSP, which is under the GPL, is in separate packages.
 for package in edgevo libedgevo-dev edgevo-mrpt-plugin; do
   check "what $package needs of ViSP" "$(depends $package | grep -c visp)" -eq 0

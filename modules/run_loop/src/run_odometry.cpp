@@ -4,13 +4,10 @@
 #include <ctime>
 #include <memory>
 
-#include "edgevo/core/rectification.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/core/worker.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/run_loop/latency_stats.h"
-#include "edgevo/scale/ground_links.h"
 #include "lenient_source.h"
 #include "load_control.h"
 
@@ -28,68 +25,11 @@ double cpu_seconds(Work&& work) {
 using OnFrame = std::function<bool(const ProcessedFrame&)>;
 using Stop = std::function<bool()>;
 
-// What the ground says of the run's past, between two frames.
-class GroundFollower {
- public:
-  GroundFollower(const ImageSource& source, const OdometryOptions& options, const ScaleParams& params)
-      : links_(rectification_of(source.camera(), options).target(), source.T_vehicle_cam(), params,
-               options.map_log),
-        events_(options.map_log) {}
-
-  void follow() {
-    for (const auto& event : events_.read()) links_.apply(*event);
-  }
-
- private:
-  GroundLinks links_;
-  MapCursor events_;
-};
-
-// What places that are seen again say of it: next to the frames, in a thread of its own where tracking and
-// mapping have theirs.
-class PlaceFollower {
- public:
-  PlaceFollower(const ImageSource& source, const OdometryOptions& options, bool is_on) {
-    if (!is_on || options.forget) return;
-    memory_.emplace(rectification_of(source.camera(), options), options.map_log);
-    events_.emplace(options.map_log);
-    worker_ = std::make_unique<Worker>(worker_options(options));
-  }
-
-  void follow() {
-    if (!memory_) return;
-    std::vector<std::shared_ptr<const MapEvent>> events = events_->read();
-    worker_->submit([this, events = std::move(events)] {
-      for (const auto& event : events) memory_->apply(*event);
-    });
-  }
-  PlaceCounts finish() {
-    if (!memory_) return {};
-    follow();
-    worker_->wait_idle();
-    return memory_->counts();
-  }
-
- private:
-  static WorkerOptions worker_options(const OdometryOptions& options) {
-    WorkerOptions worker;
-    worker.name = "places";
-    worker.own_thread = options.realtime;
-    worker.low_priority = true;
-    return worker;
-  }
-
-  std::optional<PlaceMemory> memory_;
-  std::optional<MapCursor> events_;
-  std::unique_ptr<Worker> worker_;  // the last one: its work uses the others
-};
-
 // What the loop works with, from the first frame to the last.
 struct RunLoop {
   LenientSource& source;
   Odometry& odometry;
-  GroundFollower& ground;
-  PlaceFollower& places;
+  PastFollower& past;
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
@@ -118,8 +58,7 @@ FrameRecord process(const RunLoop& loop, const Frame& frame) {
   FrameRecord record;
   loop.result->cpu_s += cpu_seconds([&] {
     record = loop.odometry.process(frame);
-    loop.ground.follow();
-    loop.places.follow();
+    loop.past.follow();
   });
   return record;
 }
@@ -197,8 +136,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
   name_traced_thread("tracking");
   if (!options.map_log) options.map_log = std::make_shared<MapLog>();
-  GroundFollower ground(source, options, requested.scale);
-  PlaceFollower places(source, options, requested.places.loops);
+  PastFollower past(source.camera(), source.T_vehicle_cam(), options, requested.past);
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
   ImageSource& frames =
@@ -209,7 +147,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
                      &result};
   const auto finish = [&] {
     result.cpu_s += cpu_seconds([&] {
-      result.places = places.finish();
+      result.places = past.finish();
       result.run = odometry.finish();
     });
   };

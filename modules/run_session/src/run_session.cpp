@@ -153,8 +153,7 @@ void RunSession::prioritise_tracking() const {
 void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
-  options.scale = request_.params.scale;
-  options.places = request_.params.places;
+  options.past = {request_.params.scale, request_.params.places};
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;

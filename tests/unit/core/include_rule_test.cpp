@@ -56,7 +56,8 @@ const std::vector<std::string> kOrder{"core",
                                       "benchmark",
                                       "servo",
                                       "viewer",
-                                      "mrpt_plugin"};
+                                      "mrpt_plugin",
+                                      "python"};
 
 std::vector<std::string> broken(const std::string& path, const std::string& text) {
   return broken_include_rules({path, text}, kOrder);

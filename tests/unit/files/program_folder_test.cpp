@@ -27,6 +27,10 @@ TEST_F(DataFolder, IsThatOfThePrefixOfAProgramInLibexec) {
   EXPECT_EQ(data_folder_of(prefix_ / "lib/x86_64-linux-gnu/edgevo"), data_);
 }
 
+TEST_F(DataFolder, IsThatOfThePrefixOfAPythonPackage) {
+  EXPECT_EQ(data_folder_of(prefix_ / "lib/python3/dist-packages/edgevo"), data_);
+}
+
 TEST_F(DataFolder, DefaultsToThePrefixOfBin) {
   fs::remove(data_);
   EXPECT_EQ(data_folder_of(prefix_ / "bin"), data_);

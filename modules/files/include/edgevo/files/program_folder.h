@@ -9,7 +9,7 @@ namespace edgevo {
 std::filesystem::path program_folder();
 
 /// Folder share/edgevo of the build or installation of the running program, which is in bin/ or
-/// libexec/edgevo/.
+/// libexec/edgevo/; of a shared library (a module of Python, a plug-in) that of its own.
 std::filesystem::path data_folder();
 
 /// Folder share/edgevo for a program in `folder`: that of the nearest parent that has one; else the one that

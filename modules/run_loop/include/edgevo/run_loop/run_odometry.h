@@ -10,9 +10,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/datasets/pace.h"
 #include "edgevo/odometry/odometry.h"
-#include "edgevo/places/place_memory.h"
-#include "edgevo/places/place_params.h"
-#include "edgevo/scale/scale_params.h"
+#include "edgevo/run_loop/past_follower.h"
 #include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
@@ -59,10 +57,8 @@ struct ProcessedFrame {
 struct RunLoopOptions {
   /// Seed, threads, log and stream of events of the odometry.
   OdometryOptions odometry;
-  /// How the ground is looked for (scale/ground_links.h).
-  ScaleParams scale;
-  /// Whether places are recognised (places/place_memory.h); not in runs that forget.
-  PlaceParams places;
+  /// What is found of the run's past.
+  PastParams past;
   /// Rate at which a realtime run receives its frames.
   Pace pace;
   /// What to do with a frame whose image or time is unusable.

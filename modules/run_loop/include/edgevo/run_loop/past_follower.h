@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// What is found of a run's past while it goes on: the ground relates units of length, places that are seen
+// again relate keyframes. For whoever feeds an Odometry frame by frame; run_odometry() does.
+#include <memory>
+#include <optional>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/se3.h"
+#include "edgevo/odometry/odometry.h"
+#include "edgevo/places/place_memory.h"
+#include "edgevo/places/place_params.h"
+#include "edgevo/scale/scale_params.h"
+
+namespace edgevo {
+
+/// Parameters of what is found.
+struct PastParams {
+  /// How the ground is looked for (scale/ground_links.h).
+  ScaleParams scale;
+  /// Whether places are recognised (places/place_memory.h); not in runs that forget.
+  PlaceParams places;
+};
+
+/// Follows the events of a run and adds constraints to them. Places are looked up in a thread of their own
+/// where tracking and mapping have theirs.
+class PastFollower {
+ public:
+  /// Make it before the Odometry. `options.map_log` is not null.
+  PastFollower(const Camera& camera, const std::optional<SE3>& T_vehicle_cam, const OdometryOptions& options,
+               const PastParams& params);
+  ~PastFollower();
+
+  /// Call after each frame.
+  void follow();
+  /// Call before Odometry::finish(): waits until all places are looked up.
+  PlaceCounts finish();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace edgevo
