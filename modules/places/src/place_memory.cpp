@@ -49,11 +49,17 @@ void PlaceMemory::handle(const KeyframeMarginalised& e) {
     index_.add(*k.view);
     keyframe_of_.push_back(store_.size());
   }
+  on_stored_(k);
   store_.add(std::move(k));
   if (store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
 }
 
-void PlaceMemory::handle(const MapMoved& e) { store_.move(rectification_, e); }
+void PlaceMemory::handle(const MapMoved& e) {
+  store_.move(rectification_, e);
+  if (!e.lens) return;
+  for (const StoredKeyframe& k : store_.keyframes())
+    if (k.record->segment == e.segment && e.find(k.id)) on_stored_(k);
+}
 
 // Number of the views that are far enough before a keyframe.
 size_t PlaceMemory::end_of_places(size_t query) const {

@@ -49,9 +49,10 @@ class GroundFollower {
 // mapping have theirs.
 class PlaceFollower {
  public:
-  PlaceFollower(const ImageSource& source, const OdometryOptions& options, bool is_on) {
-    if (!is_on || options.forget) return;
+  PlaceFollower(const ImageSource& source, const OdometryOptions& options, const RunLoopOptions& requested) {
+    if (!requested.places.loops || options.forget) return;
     memory_.emplace(rectification_of(source.camera(), options), options.map_log);
+    if (requested.on_stored) memory_->on_stored(requested.on_stored);
     events_.emplace(options.map_log);
     worker_ = std::make_unique<Worker>(worker_options(options));
   }
@@ -198,7 +199,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   name_traced_thread("tracking");
   if (!options.map_log) options.map_log = std::make_shared<MapLog>();
   GroundFollower ground(source, options, requested.scale);
-  PlaceFollower places(source, options, requested.places.loops);
+  PlaceFollower places(source, options, requested);
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);
   ImageSource& frames =

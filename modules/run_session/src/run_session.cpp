@@ -115,6 +115,7 @@ void RunSession::choose_pinhole() {
 void RunSession::open_outputs() {
   OutputOptions options = request_.outputs;
   options.own_thread = request_.realtime;
+  options.keep_map = request_.params.places.loops && !options.forget;
   outputs_.emplace(request_.out, source_->camera(), request_.params.map, options);
   outputs_->keep_recovery_log({info_, request_.scale, scaling_->tracks(), source_->T_vehicle_cam()},
                               odometry_.map_log);
@@ -155,6 +156,7 @@ void RunSession::track() {
   options.odometry = odometry_;
   options.scale = request_.params.scale;
   options.places = request_.params.places;
+  options.on_stored = [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); };
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;

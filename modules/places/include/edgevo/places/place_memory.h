@@ -7,6 +7,7 @@
 // of a pair of views (place_match.h) is believed if the path agrees, as far as it is known at all; if no
 // other place matches as well; and if the places of three keyframes in a row agree with each other.
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -41,6 +42,9 @@ class PlaceMemory {
 
   /// Takes the next event of the run.
   void apply(const MapEvent& event);
+  /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
+  /// when the camera is corrected; in the thread of apply().
+  void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
   /// What was found so far.
   const PlaceCounts& counts() const { return counts_; }
 
@@ -77,6 +81,7 @@ class PlaceMemory {
   PlaceIndex index_;
   std::deque<std::vector<Proved>> recent_;  // of the last queries, the newest last
   PlaceCounts counts_;
+  std::function<void(const StoredKeyframe&)> on_stored_ = [](const StoredKeyframe&) {};
 };
 
 }  // namespace edgevo

@@ -63,6 +63,8 @@ struct RunLoopOptions {
   ScaleParams scale;
   /// Whether places are recognised (places/place_memory.h); not in runs that forget.
   PlaceParams places;
+  /// Is called as PlaceMemory::on_stored() says, in the thread that recognises places; empty: not.
+  std::function<void(const StoredKeyframe&)> on_stored;
   /// Rate at which a realtime run receives its frames.
   Pace pace;
   /// What to do with a frame whose image or time is unusable.
