@@ -61,6 +61,9 @@ class Database {
 
   /// Executes statements without values. Throws DatabaseError.
   void execute(const std::string& sql);
+  /// Where SQLite keeps what a transaction needs to be undone or done: "WAL", a file next to it; "MEMORY".
+  /// Throws DatabaseError.
+  void set_log(const std::string& mode) { execute(std::string("PRAGMA ") + "journal_mode" + "=" + mode); }
   /// A statement. Throws DatabaseError.
   Statement statement(const std::string& sql) { return {database_.get(), sql}; }
 

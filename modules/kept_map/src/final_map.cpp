@@ -43,8 +43,9 @@ std::optional<double> growth_of(const KeyframeRecord& before, const KeyframeReco
   return median(std::move(ratios));
 }
 
-// Writes the keyframes that the run has, and returns where they are.
-FinalPlaces write_keyframes(Database* grown, const Run& run, Database* target) {
+// Writes the keyframes that the run has, and returns where they are. `is_final`: the unit is that of the run
+// already.
+FinalPlaces write_keyframes(Database* grown, bool is_final, const Run& run, Database* target) {
   const std::map<int, const KeyframeRecord*> known = by_frame(run);
   FinalPlaces places;
   double growth = 1;
@@ -55,7 +56,7 @@ FinalPlaces write_keyframes(Database* grown, const Run& run, Database* target) {
     if (!place) continue;
     const auto found = known.find(place->record.frame_index);
     if (found == known.end()) continue;
-    growth = growth_of(place->record, *found->second).value_or(growth);
+    if (!is_final) growth = growth_of(place->record, *found->second).value_or(growth);
     place->record = *found->second;
     places[place->id] = {place->record.frame_index, place->record.T_world_cam, growth};
     out.put(int(rows.integer(0)), bytes_of(*place), rows.bytes(2));
@@ -139,10 +140,12 @@ void write_final_map(Database* grown, const Run& run, const std::string& path) {
   const std::optional<MapTexts> texts = read_texts(grown);
   if (!texts) throw DatabaseError("its description is damaged");
   Database target(path, Database::Access::kCreate);
-  target.execute("PRAGMA page_size=4096; PRAGMA journal_mode=MEMORY; PRAGMA synchronous=FULL; BEGIN");
+  target.set_log("MEMORY");
+  target.execute("PRAGMA page_size=4096; PRAGMA synchronous=FULL; BEGIN");
   make_tables(&target);
   write_texts(&target, final_texts(*texts, run));
-  const FinalPlaces places = write_keyframes(grown, run, &target);
+  const bool is_final = texts->count("finished") > 0 && texts->at("finished") == "1";
+  const FinalPlaces places = write_keyframes(grown, is_final, run, &target);
   write_constraints(grown, run, places, &target);
   target.execute("COMMIT");
 }

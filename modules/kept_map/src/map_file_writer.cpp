@@ -22,11 +22,12 @@ constexpr std::chrono::seconds kMaxWait{1};
 
 void remove_files(const std::string& path) {
   std::error_code ignored;
-  for (const char* end : {"", "-wal", "-shm", "-journal"}) fs::remove(path + end, ignored);
+  for (const char* end : {"", "-wal", "-shm"}) fs::remove(path + end, ignored);
 }
 
-// Without the journal of SQLite until the tables are there: a file with a header has them all.
+// A file with a header has all tables.
 void begin(Database* database, const MapHeader& header) {
+  database->set_log("MEMORY");
   database->execute("PRAGMA page_size=4096");
   database->execute("BEGIN");
   make_tables(database);
@@ -37,8 +38,7 @@ void begin(Database* database, const MapHeader& header) {
 }  // namespace
 
 const std::vector<std::string>& map_file_names() {
-  static const std::vector<std::string> names{"map.db",         "map.db-wal", "map.db-shm",
-                                              "map.db-journal", "map.db.new", "map.db.new-journal"};
+  static const std::vector<std::string> names{kMapFile, "map.db-wal", "map.db-shm", "map.db.new"};
   return names;
 }
 
@@ -47,7 +47,8 @@ struct MapFileWriter::Impl {
       : path(where), database(std::in_place, where, access) {
     if (header) begin(&*database, *header);
     // What is committed survives the death of the program; each checkpoint that of the machine.
-    database->execute("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+    database->set_log("WAL");
+    database->execute("PRAGMA synchronous=NORMAL");
     keyframes.emplace(&*database);
     constraints.emplace(&*database);
   }

@@ -79,8 +79,7 @@ class UnchangedFile {
 
   Database open() const {
     if (folder_.empty()) return {path_, Database::Access::kUnchanging};
-    Database(path_, Database::Access::kWrite)
-        .execute("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode=DELETE");
+    Database(path_, Database::Access::kWrite).set_log("DELETE");  // takes in what is in the log
     return {path_, Database::Access::kUnchanging};
   }
 
