@@ -61,6 +61,13 @@ void describe_keyframes(const KeptMap& map, uintmax_t bytes, const MapCounts& n,
   lines->emplace_back("descriptors", formatted("%zu, %.0f a keyframe", n.corners, double(n.corners) * one));
 }
 
+// 0 if there is no such file.
+uintmax_t size_of(const std::string& path) {
+  std::error_code error;
+  const uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : size;
+}
+
 std::string unit_of(const KeptMap& map) {
   if (!map.is_metric()) return "arbitrary (no scale was given)";
   return "metre (scale from " + map.scale_source + formatted(", +- %.1f %%)", 100 * map.scale_sigma);
@@ -86,10 +93,10 @@ std::string camera_text(const Camera& camera) {
 }
 
 std::vector<std::pair<std::string, std::string>> describe(const KeptMap& map, const std::string& path) {
-  std::error_code ignored;
   const MapCounts n = count(map.store);
+  const uintmax_t bytes = size_of(path) + size_of(path + "-wal");
   Lines lines{{"source", map.header.source}, {"state", map.is_finished ? "finished" : "interrupted"}};
-  describe_keyframes(map, std::filesystem::file_size(path, ignored), n, &lines);
+  describe_keyframes(map, bytes, n, &lines);
   lines.emplace_back("constraints", constraints_of(map));
   lines.emplace_back("unit", unit_of(map));
   if (map.store.size() > 0) {

@@ -51,7 +51,7 @@ void PlaceMemory::handle(const KeyframeMarginalised& e) {
   }
   on_stored_(k);
   store_.add(std::move(k));
-  if (store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
+  if (looks_up_ && store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
 }
 
 void PlaceMemory::handle(const MapMoved& e) {

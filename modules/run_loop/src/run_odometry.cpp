@@ -70,6 +70,13 @@ class PlaceFollower {
     worker_->wait_idle();
     return memory_->counts();
   }
+  // The last keyframes, which left the window at the end of the run.
+  void remember_last() {
+    if (!memory_) return;
+    memory_->only_remember();
+    follow();
+    worker_->wait_idle();
+  }
 
  private:
   static WorkerOptions worker_options(const OdometryOptions& options) {
@@ -212,6 +219,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
     result.cpu_s += cpu_seconds([&] {
       result.places = places.finish();
       result.run = odometry.finish();
+      places.remember_last();
     });
   };
   if (options.realtime) {

@@ -45,6 +45,8 @@ class PlaceMemory {
   /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
   /// when the camera is corrected; in the thread of apply().
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
+  /// From now on keyframes are remembered and not looked up: the run has been solved for.
+  void only_remember() { looks_up_ = false; }
   /// What was found so far.
   const PlaceCounts& counts() const { return counts_; }
 
@@ -81,6 +83,7 @@ class PlaceMemory {
   PlaceIndex index_;
   std::deque<std::vector<Proved>> recent_;  // of the last queries, the newest last
   PlaceCounts counts_;
+  bool looks_up_ = true;
   std::function<void(const StoredKeyframe&)> on_stored_ = [](const StoredKeyframe&) {};
 };
 
