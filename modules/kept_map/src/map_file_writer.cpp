@@ -25,14 +25,27 @@ void remove_files(const std::string& path) {
   for (const char* end : {"", "-wal", "-shm"}) fs::remove(path + end, ignored);
 }
 
-// A file with a header has all tables.
-void begin(Database* database, const MapHeader& header) {
-  database->set_log("MEMORY");
-  database->execute("PRAGMA page_size=4096");
-  database->execute("BEGIN");
-  make_tables(database);
-  write_texts(database, texts_of(header));
-  database->execute("COMMIT");
+std::string name_while_made(const std::string& path) { return path + ".new"; }
+
+void replace(const std::string& path) {
+  std::error_code error;
+  fs::rename(name_while_made(path), path, error);
+  if (error) throw InputError(path, "cannot be replaced: " + error.message(), "see " + name_while_made(path));
+}
+
+// A file of this name has all tables, whenever the program is killed.
+void make_file(const std::string& path, const MapHeader& header) {
+  remove_files(path);
+  remove_files(name_while_made(path));
+  {
+    Database database(name_while_made(path), Database::Access::kCreate);
+    database.set_log("MEMORY");
+    database.execute("PRAGMA page_size=4096; BEGIN");
+    make_tables(&database);
+    write_texts(&database, texts_of(header));
+    database.execute("COMMIT");
+  }
+  replace(path);
 }
 
 }  // namespace
@@ -43,9 +56,8 @@ const std::vector<std::string>& map_file_names() {
 }
 
 struct MapFileWriter::Impl {
-  Impl(const std::string& where, Database::Access access, const MapHeader* header)
-      : path(where), database(std::in_place, where, access) {
-    if (header) begin(&*database, *header);
+  explicit Impl(const std::string& where)
+      : path(where), database(std::in_place, where, Database::Access::kWrite) {
     // What is committed survives the death of the program; each checkpoint that of the machine.
     database->set_log("WAL");
     database->execute("PRAGMA synchronous=NORMAL");
@@ -103,12 +115,14 @@ void attempt(const std::string& path, const Work& work) {
 }  // namespace
 
 MapFileWriter::MapFileWriter(const std::string& path, const MapHeader& header) {
-  remove_files(path);
-  attempt(path, [&] { impl_ = std::make_unique<Impl>(path, Database::Access::kCreate, &header); });
+  attempt(path, [&] {
+    make_file(path, header);
+    impl_ = std::make_unique<Impl>(path);
+  });
 }
 
 MapFileWriter::MapFileWriter(const std::string& path) {
-  attempt(path, [&] { impl_ = std::make_unique<Impl>(path, Database::Access::kWrite, nullptr); });
+  attempt(path, [&] { impl_ = std::make_unique<Impl>(path); });
 }
 
 MapFileWriter::~MapFileWriter() = default;
@@ -148,16 +162,14 @@ void MapFileWriter::flush() {
 }
 
 void MapFileWriter::finish(const Run& run) {
-  const std::string fresh = impl_->path + ".new";
+  const std::string fresh = name_while_made(impl_->path);
   remove_files(fresh);
   attempt(impl_->path, [&] {
     impl_->commit();
     write_final_map(&*impl_->database, run, fresh);
     impl_->close();
   });
-  std::error_code error;
-  fs::rename(fresh, impl_->path, error);
-  if (error) throw InputError(impl_->path, "cannot be replaced: " + error.message(), "see map.db.new");
+  replace(impl_->path);
 }
 
 }  // namespace edgevo

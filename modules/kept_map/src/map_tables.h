@@ -9,6 +9,7 @@
 #include <string>
 
 #include "database.h"
+#include "edgevo/core/camera.h"
 #include "edgevo/map/map_graph.h"
 
 namespace edgevo {
