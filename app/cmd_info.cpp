@@ -5,8 +5,12 @@
 
 #include "commands.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/describe.h"
+#include "edgevo/kept_map/kept_map.h"
+#include "edgevo/kept_map/map_picture.h"
+#include "option_checks.h"
 #include "progress.h"
 #include "source_options.h"
 
@@ -43,8 +47,24 @@ int info_of_camera(const std::string& path, const std::string& sensor) {
   return 0;
 }
 
+int info_of_map(const std::string& path, const std::string& picture) {
+  const KeptMap map = read_map(path);
+  print("map", path);
+  for (const auto& [name, value] : describe(map, path)) print(name, value);
+  std::fflush(stdout);
+  for (const std::string& line : map.warnings) std::fprintf(stderr, "edgevo: %s\n", line.c_str());
+  if (!picture.empty()) write_file(picture, map_picture(map));
+  return 0;
+}
+
+void check_no_picture(const std::string& picture) {
+  if (!picture.empty()) throw InputError("-o " + picture, "only a map has a picture", "give map.db of a run");
+}
+
 // The contents are shown without a calibration, too.
-int info(SourceOptions options, bool check) {
+int info(SourceOptions options, bool check, const std::string& picture) {
+  if (names_map(options.path)) return info_of_map(options.path, picture);
+  check_no_picture(picture);
   if (names_camera_file(options.path)) return info_of_camera(options.path, options.sensor_label);
   options.any_camera = true;
   const auto source = open_source(options);
@@ -58,14 +78,18 @@ int info(SourceOptions options, bool check) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action* action) {
-  CLI::App* command = app.add_subcommand(
-      "info", "show the contents of a source (frames, camera, times, labels) or of a camera file");
+  CLI::App* command = app.add_subcommand("info",
+                                         "show the contents of a source (frames, camera, times, labels), of "
+                                         "a camera file or of the map of a run");
   auto options = std::make_shared<SourceOptions>();
   auto check = std::make_shared<bool>(false);
   add_source_options(*command, options.get());
   add_mount(*command, &options->mount);
   command->add_flag("--check", *check, "also read every image");
-  command->callback([=] { *action = [=] { return info(*options, *check); }; });
+  auto picture = std::make_shared<std::string>();
+  command->add_option("-o,--out", *picture, "PNG for the map from above: points, path, places seen again")
+      ->check(path_given());
+  command->callback([=] { *action = [=] { return info(*options, *check, *picture); }; });
 }
 
 }  // namespace edgevo::app

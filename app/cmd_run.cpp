@@ -116,10 +116,16 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option(
       "--edge-map", args->edge_map,
       "edge lines besides the points: off, keyframes (per keyframe), full (each 3D edge once; default)");
-  command->add_option(
-      "--loops", args->loops,
-      "recognise places seen before and correct the map by them: on (default) or off; off with "
-      "--forget");
+  command
+      ->add_option(
+          "--map", args->run.map,
+          "map that an earlier run has kept (its folder, or map.db in it): the run gets its frame and "
+          "unit where its places are recognised; it is not changed")
+      ->check(path_given());
+  command->add_option("--loops", args->loops,
+                      "recognise places seen before, correct the map by them, and keep it in map.db: on "
+                      "(default) or off; off "
+                      "with --forget");
   command
       ->add_option("--seed", args->run.seed,
                    "seed of all random numbers; synchronous runs with the same seed are bit-identical")

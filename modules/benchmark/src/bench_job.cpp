@@ -74,7 +74,8 @@ RunResult run_source(const BenchJob& job, const BenchInput& input, ImageSource& 
   options.stop = host.stop;
   const ProgressLine progress = host.progress(job.title(), source.size());
   const RunParams params = input.params(job.variant, job.edges);
-  options.past = {params.scale, params.places};
+  options.past.scale = params.scale;
+  options.past.places = params.places;
   return run_odometry(source, params.odometry, options, [&, done = 0](const ProcessedFrame&) mutable {
     progress(++done);
     return true;

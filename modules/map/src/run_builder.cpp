@@ -366,7 +366,7 @@ Run RunBuilder::finish() {
     finish_row(placed, position_of_keyframe, run.keyframes, &row);
     run.frames.push_back(std::move(row.frame));
   }
-  if (moves_ > 0 && !forgets()) move_first_to_origin(&run);
+  if (moves_ > 0 && !forgets() && !is_in_kept_map(run)) move_first_to_origin(&run);
   return run;
 }
 

@@ -26,8 +26,23 @@ Matrix7d moved(const Sim3& T, const Matrix7d& covariance) {
 
 }  // namespace
 
-PlaceMemory::PlaceMemory(const Rectification& rectification, std::shared_ptr<MapLog> log)
-    : rectification_(rectification), log_(std::move(log)), store_(rectification.target()) {}
+void PlaceMemory::Known::add(const StoredKeyframe& keyframe, size_t position) {
+  if (!keyframe.view) return;
+  index.add(*keyframe.view);
+  keyframe_of.push_back(position);
+}
+
+PlaceMemory::PlaceMemory(const Rectification& rectification, std::shared_ptr<MapLog> log,
+                         const PlaceParams& params, std::shared_ptr<const PlaceStore> kept)
+    : rectification_(rectification),
+      log_(std::move(log)),
+      params_(params),
+      kept_store_(std::move(kept)),
+      store_(rectification.target()) {
+  own_.store = &store_;
+  kept_.store = kept_store_.get();
+  for (size_t i = 0; kept_store_ && i < kept_store_->size(); ++i) kept_.add(kept_store_->keyframes()[i], i);
+}
 
 void PlaceMemory::apply(const MapEvent& event) {
   std::visit([this](const auto& e) { handle(e); }, event);
@@ -44,22 +59,26 @@ void PlaceMemory::handle(const KeyframeMarginalised& e) {
   const auto after = std::upper_bound(first_of_epoch_.begin(), first_of_epoch_.end(), e.id);
   k.epoch = int(after - first_of_epoch_.begin());
   if (!e.neighbours.empty()) k.next = e.neighbours.front();
-  if (e.pyramid && !e.keyframe->is_doubtful) {
+  if (e.pyramid && !e.keyframe->is_doubtful)
     k.view = std::make_shared<const RememberedView>(remember_view(*e.pyramid));
-    index_.add(*k.view);
-    keyframe_of_.push_back(store_.size());
-  }
+  if (params_.loops) own_.add(k, store_.size());
+  on_stored_(k);
   store_.add(std::move(k));
-  if (store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
+  if (looks_up_ && store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
 }
 
-void PlaceMemory::handle(const MapMoved& e) { store_.move(rectification_, e); }
+void PlaceMemory::handle(const MapMoved& e) {
+  store_.move(rectification_, e);
+  if (!e.lens) return;
+  for (const StoredKeyframe& k : store_.keyframes())
+    if (k.record->segment == e.segment && e.find(k.id)) on_stored_(k);
+}
 
-// Number of the views that are far enough before a keyframe.
+// Number of the views of the run that are far enough before a keyframe.
 size_t PlaceMemory::end_of_places(size_t query) const {
   size_t end = 0;
-  while (end < keyframe_of_.size()) {
-    const size_t at = keyframe_of_[end];
+  while (end < own_.keyframe_of.size()) {
+    const size_t at = own_.keyframe_of[end];
     if (at >= query || (store_.is_one_unit(at, query) && at + kLeastGap > query)) break;
     ++end;
   }
@@ -67,20 +86,32 @@ size_t PlaceMemory::end_of_places(size_t query) const {
 }
 
 void PlaceMemory::look_up(size_t query) {
-  const StoredKeyframe& k = store_.keyframes()[query];
-  if (!k.view) return;
+  if (!store_.keyframes()[query].view) return;
   ++counts_.queries;
-  const std::vector<int> views = index_.candidates(*k.view, int(end_of_places(query)), kCandidates);
-  counts_.candidates += int(views.size());
-  believe(prove(query, views));
+  if (params_.loops) look_up(query, end_of_places(query), &own_);
+  if (kept_.store) look_up(query, kept_.index.size(), &kept_);
 }
 
-std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vector<int>& views) {
+void PlaceMemory::look_up(size_t query, size_t end, Known* known) {
+  const std::vector<int> views =
+      known->index.candidates(*store_.keyframes()[query].view, int(end), kCandidates);
+  counts_.candidates += int(views.size());
+  known->recent.push_back(possible(prove(query, views, *known), *known));
+  if (known->recent.size() > kRecent) known->recent.pop_front();
+  for (Proved& p : known->recent.back()) {
+    const std::vector<Proved*> agreeing = agreeing_with(&p, known);
+    if (agreeing.size() >= kAgreeing)
+      for (Proved* a : agreeing) state(a, *known);
+  }
+}
+
+std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vector<int>& views,
+                                                    const Known& known) {
   std::vector<Proved> proved;
   const PlaceView b{*store_.keyframes()[query].view, store_.points_around(query)};
   for (const int view : views) {
-    const size_t place = keyframe_of_[size_t(view)];
-    const PlaceView a{*store_.keyframes()[place].view, store_.points_around(place)};
+    const size_t place = known.keyframe_of[size_t(view)];
+    const PlaceView a{*known.store->keyframes()[place].view, known.store->points_around(place)};
     const std::optional<PlaceMatch> match = match_views(store_.pinhole(), a, b);
     if (!match) continue;
     ++counts_.proved;
@@ -98,65 +129,64 @@ bool PlaceMemory::is_on_path(const Proved& p) const {
 }
 
 // Whether the way over place and query of one is that of the other: T_a_b of one, as the other has it.
-bool PlaceMemory::agree(const Proved& a, const Proved& b) const {
-  if (!store_.is_one_unit(a.place, b.place) || !store_.is_one_unit(a.query, b.query)) return false;
-  const Sim3 to_place{1, store_.T_a_b(a.place, b.place)}, from_query{1, store_.T_a_b(b.query, a.query)};
+bool PlaceMemory::agree(const Proved& a, const Proved& b, const Known& known) const {
+  const PlaceStore& places = *known.store;
+  if (!places.is_one_unit(a.place, b.place) || !store_.is_one_unit(a.query, b.query)) return false;
+  const Sim3 to_place{1, places.T_a_b(a.place, b.place)}, from_query{1, store_.T_a_b(b.query, a.query)};
   const Sim3 to_query_by_b = to_place * b.match.T_a_b;
-  const Matrix7d covariance = a.match.covariance + store_.path_covariance(a.place, b.place) +
+  const Matrix7d covariance = a.match.covariance + places.path_covariance(a.place, b.place) +
                               moved(to_place, b.match.covariance) +
                               moved(to_query_by_b, store_.path_covariance(b.query, a.query));
   return squared_distance(a.match.T_a_b, to_query_by_b * from_query, covariance) < kThreeSigmas;
 }
 
-// Whether one keyframe, which both match, cannot be in both places.
-bool PlaceMemory::are_apart(const Proved& a, const Proved& b) const {
-  return store_.is_one_unit(a.place, b.place) && !agree(a, b);
-}
-
 // Those that the path allows; none if they are places apart, which look alike.
-std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found) {
-  const auto end =
-      std::remove_if(found.begin(), found.end(), [this](const Proved& p) { return !is_on_path(p); });
+std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found, const Known& known) {
+  const auto is_off = [&](const Proved& p) { return &known == &own_ && !is_on_path(p); };
+  const auto end = std::remove_if(found.begin(), found.end(), is_off);
   counts_.beyond_drift += int(found.end() - end);
   found.erase(end, found.end());
-  const auto is_apart = [&](const Proved& p) { return are_apart(found.front(), p); };
+  const auto is_apart = [&](const Proved& p) {
+    return known.store->is_one_unit(found.front().place, p.place) && !agree(found.front(), p, known);
+  };
   if (found.empty() || std::none_of(found.begin() + 1, found.end(), is_apart)) return found;
   counts_.ambiguous += int(found.size());
   return {};
 }
 
-void PlaceMemory::believe(std::vector<Proved> found) {
-  recent_.push_back(possible(std::move(found)));
-  if (recent_.size() > kRecent) recent_.pop_front();
-  for (Proved& p : recent_.back()) {
-    const std::vector<Proved*> agreeing = agreeing_with(&p);
-    if (agreeing.size() >= kAgreeing)
-      for (Proved* a : agreeing) state(a);
-  }
-}
-
 // A place of the newest keyframe and those of keyframes before it, one of each, that agree with it.
-std::vector<PlaceMemory::Proved*> PlaceMemory::agreeing_with(Proved* newest) {
+std::vector<PlaceMemory::Proved*> PlaceMemory::agreeing_with(Proved* newest, Known* known) const {
   std::vector<Proved*> agreeing{newest};
-  for (size_t i = 0; i + 1 < recent_.size(); ++i) {
-    const auto found = std::find_if(recent_[i].begin(), recent_[i].end(),
-                                    [&](const Proved& before) { return agree(before, *newest); });
-    if (found != recent_[i].end()) agreeing.push_back(&*found);
+  for (size_t i = 0; i + 1 < known->recent.size(); ++i) {
+    std::vector<Proved>& before = known->recent[i];
+    const auto found = std::find_if(before.begin(), before.end(),
+                                    [&](const Proved& p) { return agree(p, *newest, *known); });
+    if (found != before.end()) agreeing.push_back(&*found);
   }
   return agreeing;
 }
 
-void PlaceMemory::state(Proved* p) {
+Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known) const {
+  Constraint c;
+  c.kind = ConstraintKind::kPlace;
+  c.to = NodeId::keyframe(store_.keyframes()[p.query].id);
+  c.T_from_to = p.match.T_a_b;
+  c.covariance = p.match.covariance;
+  if (&known == &own_) {
+    c.from = NodeId::keyframe(store_.keyframes()[p.place].id);
+    return c;
+  }
+  const Sim3 T_world_place{1, known.store->keyframes()[p.place].record->T_world_cam};
+  c.T_from_to = T_world_place * c.T_from_to;
+  c.covariance = moved(T_world_place, c.covariance);
+  return c;
+}
+
+void PlaceMemory::state(Proved* p, const Known& known) {
   if (p->is_stated) return;
   p->is_stated = true;
-  Constraint c;
-  c.from = NodeId::keyframe(store_.keyframes()[p->place].id);
-  c.to = NodeId::keyframe(store_.keyframes()[p->query].id);
-  c.T_from_to = p->match.T_a_b;
-  c.covariance = p->match.covariance;
-  c.kind = ConstraintKind::kPlace;
-  log_->add_constraint(c);
-  ++counts_.stated;
+  log_->add_constraint(constraint_of(*p, known));
+  ++(&known == &own_ ? counts_.stated : counts_.in_kept_map);
 }
 
 }  // namespace edgevo

@@ -90,6 +90,13 @@ ViewSignature sign(const ImageEdges& edges) {
   return signature;
 }
 
+ViewLight light_of(const Plane<uint8_t>& gray) {
+  cv::Scalar mean, deviation;
+  cv::meanStdDev(cv::Mat(gray.height(), gray.width(), CV_8U, const_cast<uint8_t*>(gray.row(0))), mean,
+                 deviation);
+  return {float(mean[0]), float(deviation[0])};
+}
+
 // The level below the finest, if it has edges.
 const PyramidLevel& coarse_level(const FramePyramid& pyramid) {
   const bool has_edges = pyramid.levels.size() > 1 && !pyramid.levels[1].edges.pixels.empty();
@@ -106,7 +113,7 @@ int distance(const ViewSignature& a, const ViewSignature& b) {
 
 RememberedView remember_view(const FramePyramid& pyramid) {
   const PyramidLevel& level = coarse_level(pyramid);
-  return {find_corners(pyramid), pack(level), sign(level.edges)};
+  return {find_corners(pyramid), pack(level), sign(level.edges), light_of(pyramid.finest().gray)};
 }
 
 FramePyramid unpack(const PackedEdges& packed) {

@@ -107,7 +107,8 @@ RunLoopOptions loop_options(const ImageSource& source, const Request& request, P
   RunLoopOptions options;
   options.odometry = odometry_options(source.camera(), request.seed);
   if (python.has_log()) options.odometry.log = [&python](const std::string& line) { python.say(line); };
-  options.past = {request.params.scale, request.params.places};
+  options.past.scale = request.params.scale;
+  options.past.places = request.params.places;
   options.on_bad_frame = OnBadFrame::kSkip;
   options.stop = [&python] { return python.stop(); };
   return options;

@@ -6,6 +6,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/files/output_folder.h"
+#include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/results/recovery_log.h"
 #include "growing_file.h"
 #include "recovery_format.h"
@@ -46,6 +47,7 @@ EarlierRun::EarlierRun(std::string folder, bool force) : folder_(std::move(folde
 std::vector<std::string> EarlierRun::files_of_runs() const {
   std::vector<std::string> known = recovery_files(), found;
   for (const RunFile& file : run_files()) known.push_back(file.name);
+  for (const std::string& file : map_file_names()) known.push_back(file);
   for (const std::string& name : names_in(folder_))
     if (std::find(known.begin(), known.end(), name) != known.end()) found.push_back(name);
   return found;

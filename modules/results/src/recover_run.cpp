@@ -117,6 +117,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   RunOutputs outputs(folder, header.info.camera, params.map, output_options);
   outputs.adopt(run.frames.empty() ? -1 : run.frames.back().index);
   outputs.adopt(std::move(mcap.output), mcap.failure);
+  outputs.adopt_map();
   outputs.finish(run, info, recovered.is_damaged);
   recovered.map_note = outputs.map_note();
   recovered.mcap_note = outputs.mcap_note();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "edgevo/core/rectification.h"
 #include "edgevo/core/trace.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/trusted_part.h"
@@ -32,6 +33,11 @@ bool is_there(const std::string& path) {
   return std::filesystem::exists(path, ignored);
 }
 
+MapHeader map_header(const RecoveryHeader& header) {
+  const Rectification rectification = rectification_of(header.info.camera, header.info.working_pinhole);
+  return {rectification.target(), camera_text(header.info.camera), header.info.source_path};
+}
+
 }  // namespace
 
 RunOutputs::Impl::Impl(const std::string& path, const Camera& camera_of_images, const MapParams& map,
@@ -55,6 +61,32 @@ void RunOutputs::Impl::begin() {
     folder.attempt(kMcapFile, [this](const std::string& path_of_it) {
       mcap = std::make_unique<McapOutput>(path_of_it, mcap_run(*recovery_header, params));
     });
+  if (map_events)
+    folder.attempt(kMapFile, [this](const std::string& path_of_it) {
+      kept_map = std::make_unique<MapFileWriter>(path_of_it, map_header(*recovery_header));
+    });
+}
+
+void RunOutputs::Impl::with_map(const std::function<void(MapFileWriter*)>& work) {
+  if (!kept_map) return;
+  try {
+    work(kept_map.get());
+  } catch (const InputError& e) {
+    folder.note_failure(kMapFile, e);
+    kept_map.reset();
+  }
+}
+
+void RunOutputs::Impl::write_map_events() {
+  if (!map_events) return;
+  write([this, read = map_events->read()] {
+    with_map([&](MapFileWriter* map) {
+      for (const auto& event : read) {
+        if (const auto* added = std::get_if<ConstraintAdded>(&*event)) map->add(*added);
+        if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(&*event)) map->withdraw(withdrawn->id);
+      }
+    });
+  });
 }
 
 void RunOutputs::Impl::with_mcap(const std::function<void(McapOutput*)>& work) {
@@ -126,6 +158,7 @@ void RunOutputs::keep_recovery_log(const RecoveryHeader& header, const std::shar
   impl_->recovery_header = header;
   impl_->events.emplace(log);
   if (impl_->options.mcap != McapContent::kOff) impl_->mcap_events.emplace(log);
+  if (impl_->options.keep_map) impl_->map_events.emplace(log);
 }
 
 void RunOutputs::adopt(int last_frame) {
@@ -136,6 +169,21 @@ void RunOutputs::adopt(int last_frame) {
 void RunOutputs::adopt(std::unique_ptr<McapOutput> mcap, const std::optional<InputError>& failure) {
   impl_->mcap = std::move(mcap);
   if (failure) impl_->folder.note_failure(kMcapFile, *failure);
+}
+
+void RunOutputs::adopt_map() {
+  const std::string path = impl_->folder.path_of(kMapFile);
+  if (!is_there(path)) return;
+  impl_->folder.attempt(kMapFile,
+                        [&](const std::string&) { impl_->kept_map = std::make_unique<MapFileWriter>(path); });
+}
+
+void RunOutputs::add_keyframe(const StoredKeyframe& keyframe) {
+  if (!impl_->options.keep_map) return;
+  impl_->write([this, keyframe] {
+    const TraceScope traced("write map.db", keyframe.record->frame_index);
+    impl_->with_map([&](MapFileWriter* map) { map->add(keyframe); });
+  });
 }
 
 bool RunOutputs::add_frame(const Frame& frame, const std::string& image_path) {
@@ -154,6 +202,7 @@ void RunOutputs::add_record(const FrameRecord& record) {
   impl_->begin();
   impl_->write([this, record] { impl_->keep_record(record); });
   impl_->write_mcap_events();
+  impl_->write_map_events();
 }
 
 bool RunOutputs::wants_views() const { return impl_->options.mcap == McapContent::kImages; }
@@ -181,6 +230,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
   const TraceScope traced("write the results");
   impl_->begin();
   impl_->write_mcap_events();
+  impl_->write_map_events();
   impl_->catch_up();
   // Writing takes seconds, and the program may be killed before the end.
   if (impl_->live) impl_->live->write_events();
@@ -191,6 +241,7 @@ void RunOutputs::finish(const Run& run, const RunInfo& info, bool keep_log) {
                         &impl_->camera,           &*impl_->playback, &impl_->meter};
   if (trusted) context.with_doubtful = &run;
   context.mcap = impl_->mcap.get();
+  context.kept_map = impl_->kept_map.get();
   context.use_of_run = impl_->meter.so_far();
   impl_->text_reserve.release();
   export_files([](FileKind kind) { return kind != FileKind::kSummary; }, &context, &impl_->folder);

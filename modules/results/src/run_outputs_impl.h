@@ -32,6 +32,9 @@ struct RunOutputs::Impl {
   /// Does something with run.mcap; the first failure ends that file, not the run.
   void with_mcap(const std::function<void(McapOutput*)>& work);
   void write_mcap_events();
+  /// As with_mcap(), of map.db.
+  void with_map(const std::function<void(MapFileWriter*)>& work);
+  void write_map_events();
   void remove_if_unused() const;
 
   ResourceMeter meter;
@@ -52,6 +55,9 @@ struct RunOutputs::Impl {
   /// For `mcap`, which begin() makes; it is null without one, or once it could not be written.
   std::optional<MapCursor> mcap_events;
   std::unique_ptr<McapOutput> mcap;
+  /// For `kept_map`, which begin() makes; the same holds.
+  std::optional<MapCursor> map_events;
+  std::unique_ptr<MapFileWriter> kept_map;
   std::atomic<bool> images_failed{false};
   std::string map_note, mcap_note;
   /// Files next to the frames: a disk that is busy holds a write up for 0.1 s. Last member: it ends before

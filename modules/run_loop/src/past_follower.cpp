@@ -28,8 +28,9 @@ struct PastFollower::Impl {
       : ground(rectification.target(), T_vehicle_cam, params.scale, options.map_log),
         ground_events(options.map_log),
         worker(worker_options(options)) {
-    if (!params.places.loops || options.forget) return;
-    places.emplace(rectification, options.map_log);
+    if ((!params.places.loops && !params.kept) || options.forget) return;
+    places.emplace(rectification, options.map_log, params.places, params.kept);
+    if (params.on_stored) places->on_stored(params.on_stored);
     place_events.emplace(options.map_log);
   }
 
@@ -63,6 +64,13 @@ PlaceCounts PastFollower::finish() {
   impl_->follow_places();
   impl_->worker.wait_idle();
   return impl_->places->counts();
+}
+
+void PastFollower::remember_last() {
+  if (!impl_->places) return;
+  impl_->places->only_remember();
+  impl_->follow_places();
+  impl_->worker.wait_idle();
 }
 
 }  // namespace edgevo

@@ -142,13 +142,13 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{lenient, odometry, ground,   places,
-                     options, stop,     on_frame, [&] { return odometry.frame_view(); },
+  const RunLoop loop{lenient, odometry, past, options, stop, on_frame, [&] { return odometry.frame_view(); },
                      &result};
   const auto finish = [&] {
     result.cpu_s += cpu_seconds([&] {
       result.places = past.finish();
       result.run = odometry.finish();
+      past.remember_last();
     });
   };
   if (options.realtime) {

@@ -11,6 +11,7 @@
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/scale/up_direction.h"
+#include "kept_places.h"
 #include "run_description.h"
 #include "trace_file.h"
 
@@ -41,6 +42,7 @@ class RunSession {
   void find_camera();
   void open_source_with_notices();
   void choose_pinhole();
+  void read_kept_map();
   void open_outputs();
   ShowFrame open_window() const;
   bool after_frame(const ProcessedFrame& frame);
@@ -58,6 +60,7 @@ class RunSession {
   OdometryOptions odometry_;
   std::optional<InputDecision> pinhole_;
   std::optional<RunScaling> scaling_;
+  std::optional<KeptPlaces> kept_map_;
   RunInfo info_;
   std::optional<RunOutputs> outputs_;
   // While it runs.
@@ -81,12 +84,19 @@ RunSession::RunSession(const RunRequest& request, const RunHost& host)
   odometry_.forget = request_.outputs.forget;
   odometry_.map_log = std::make_shared<MapLog>();
   choose_pinhole();
+  read_kept_map();
   scaling_.emplace(scale_, *source_, rectification_of(source_->camera(), odometry_).target(),
                    request_.params.scale);
   info_ = describe_run(request_, *source_, odometry_);
   if (pinhole_) info_.input.push_back(*pinhole_);
   if (found_camera_) note_found_camera(*found_camera_, &info_);
   open_outputs();
+}
+
+void RunSession::read_kept_map() {
+  if (request_.map.empty()) return;
+  kept_map_.emplace(request_.map, request_.scale, rectification_of(source_->camera(), odometry_).target());
+  for (const std::string& line : kept_map_->warnings()) warn("edgevo: " + line);
 }
 
 void RunSession::find_camera() {
@@ -115,6 +125,7 @@ void RunSession::choose_pinhole() {
 void RunSession::open_outputs() {
   OutputOptions options = request_.outputs;
   options.own_thread = request_.realtime;
+  options.keep_map = request_.params.places.loops && !options.forget;
   outputs_.emplace(request_.out, source_->camera(), request_.params.map, options);
   outputs_->keep_recovery_log({info_, request_.scale, scaling_->tracks(), source_->T_vehicle_cam()},
                               odometry_.map_log);
@@ -153,7 +164,8 @@ void RunSession::prioritise_tracking() const {
 void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
-  options.past = {request_.params.scale, request_.params.places};
+  options.past = {request_.params.scale, request_.params.places, kept_map_ ? kept_map_->places() : nullptr,
+                  [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); }};
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;
@@ -213,11 +225,14 @@ bool RunSession::finish() {
   if (run.frames.empty()) throw_without_frames();
   look_for_up();
   scaling_->convert(&run);
+  if (kept_map_) kept_map_->give_unit(&run);
   note_end(result_, host_.stop(), &info_);
   note_mask(ego_mask_, &info_);
   outputs_->finish(run, info_);
   trace_.close();
   print_end();
+  if (kept_map_)
+    kept_map_->is_found(run) ? print(kept_map_->statement(run)) : warn(kept_map_->statement(run));
   if (!outputs_->map_note().empty()) warn(outputs_->map_note());
   for (const ClosingLine& line : closing_lines(run, request_.out, request_.outputs.include_doubtful))
     line.is_warning ? warn(line.text) : print(line.text);

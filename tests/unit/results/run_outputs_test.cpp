@@ -52,7 +52,7 @@ TEST_F(RunOutputFolder, EveryFileIsListedAndDocumented) {
   for (const auto& entry : fs::directory_iterator(folder_)) written.insert(entry.path().filename().string());
   for (const std::string& name : written) EXPECT_TRUE(listed.count(name)) << name << " is not in run_files()";
   for (const char* optional : {"trajectory_vehicle_tum.txt", "scale.csv", "mask.png", "camera.yaml",
-                               "edges_doubtful.ply", "run.mcap"})
+                               "edges_doubtful.ply", "run.mcap", "map.db"})
     written.insert(optional);
   for (const std::string& name : listed) EXPECT_TRUE(written.count(name)) << name << " was not written";
   const std::string readme = read_file(std::string(EDGEVO_SOURCE_DIR) + "/README.md", "");

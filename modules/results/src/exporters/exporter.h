@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/mcap_output/mcap_output.h"
 #include "edgevo/mrpt_bridge/playback_writer.h"
 #include "edgevo/occupancy/octree_map.h"
@@ -43,6 +44,8 @@ struct ExportContext {
   const Run* with_doubtful = nullptr;
   /// Writer of run.mcap, which holds the run so far; null without one.
   McapOutput* mcap = nullptr;
+  /// Writer of map.db, which holds the keyframes so far; null without one.
+  MapFileWriter* kept_map = nullptr;
   /// Names of the files that could not be written so far.
   std::vector<std::string> not_written = {};
 };

@@ -35,6 +35,8 @@ bool has_octree(const ExportContext& context);
 void export_grid(ExportContext* context, const std::string& path);
 void export_gridmap(ExportContext* context, const std::string& path);
 bool has_grid(const ExportContext& context);
+void export_kept_map(ExportContext* context, const std::string& path);
+bool has_kept_map(const ExportContext& context);
 
 // mrpt_files.cpp
 void export_simplemap(ExportContext* context, const std::string& path);

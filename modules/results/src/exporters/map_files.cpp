@@ -54,6 +54,10 @@ void export_gridmap(ExportContext* context, const std::string& path) {
   write_gridmap(*context->map.grid, path);
 }
 
+void export_kept_map(ExportContext* context, const std::string&) { context->kept_map->finish(context->run); }
+
+bool has_kept_map(const ExportContext& context) { return context.kept_map != nullptr; }
+
 bool has_grid(const ExportContext& context) { return context.map.grid.has_value(); }
 
 }  // namespace edgevo

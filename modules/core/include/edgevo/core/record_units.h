@@ -27,6 +27,12 @@ inline void multiply_depths(double factor, KeyframeRecord* k) {
     for (EdgeVertex& v : line.vertices) change(v);
 }
 
+/// Whether a map that was kept holds the run: its world is that of the map.
+inline bool is_in_kept_map(const Run& run) {
+  return std::any_of(run.constraints.begin(), run.constraints.end(),
+                     [](const ConstraintRecord& c) { return c.from_frame < 0 && c.holds; });
+}
+
 /// Moves all poses so that the first is the identity: a correction of the map keeps the pose that was newest
 /// at the time, while the world frame of a run is that of its first pose. Without a pose nothing changes.
 inline void move_first_to_origin(Run* run) {

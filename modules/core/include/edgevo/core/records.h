@@ -4,8 +4,8 @@
 // evaluation, the command line), independent of how they were computed.
 //
 // World frame: the axes of the first camera of the run (x right, y down, z forward), origin at its first
-// pose. Map files re-express it z up by T_zup_world below. Unit: arbitrary unless Run::scale_source says
-// metres.
+// pose; or those of a map that was kept, if keyframes were found in it. Map files re-express it z up by
+// T_zup_world below. Unit: arbitrary unless Run::scale_source says metres.
 #include <cmath>
 #include <limits>
 #include <map>

@@ -7,6 +7,7 @@
 // of a pair of views (place_match.h) is believed if the path agrees, as far as it is known at all; if no
 // other place matches as well; and if the places of three keyframes in a row agree with each other.
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "edgevo/map/map_log.h"
 #include "edgevo/places/place_index.h"
 #include "edgevo/places/place_match.h"
+#include "edgevo/places/place_params.h"
 #include "edgevo/places/place_store.h"
 
 namespace edgevo {
@@ -27,8 +29,8 @@ struct PlaceCounts {
   /// Pairs of views that were proved to show one place; of these, those that the path contradicts, and those
   /// of keyframes that match places apart.
   int proved = 0, beyond_drift = 0, ambiguous = 0;
-  /// Places stated as constraints.
-  int stated = 0;
+  /// Places stated as constraints: within the run, and in the map that was kept.
+  int stated = 0, in_kept_map = 0;
 };
 
 /// Follows a run, and adds constraints between its keyframes to the log of its events. For one thread.
@@ -36,19 +38,35 @@ struct PlaceCounts {
 class PlaceMemory {
  public:
   /// `rectification`: from the images as they were taken to those that are worked on; `log`, not null: that
-  /// whose events are followed.
-  PlaceMemory(const Rectification& rectification, std::shared_ptr<MapLog> log);
+  /// whose events are followed. `kept`: a map of the same pinhole, all of one unit, whose places are looked
+  /// for, too: they are stated from the world, which is its frame, to a keyframe of the run. Null: none.
+  PlaceMemory(const Rectification& rectification, std::shared_ptr<MapLog> log, const PlaceParams& params = {},
+              std::shared_ptr<const PlaceStore> kept = nullptr);
 
   /// Takes the next event of the run.
   void apply(const MapEvent& event);
+  /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
+  /// when the camera is corrected; in the thread of apply().
+  void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
+  /// From now on keyframes are remembered and not looked up: the run has been solved for.
+  void only_remember() { looks_up_ = false; }
   /// What was found so far.
   const PlaceCounts& counts() const { return counts_; }
 
  private:
   struct Proved {
-    size_t place = 0, query = 0;  // positions in the store
+    size_t place = 0, query = 0;  // positions in the store of the places, and in that of the run
     PlaceMatch match;
     bool is_stated = false;
+  };
+  // Places to be looked up: of this run, or of a map that was kept.
+  struct Known {
+    const PlaceStore* store = nullptr;
+    PlaceIndex index;
+    std::vector<size_t> keyframe_of;         // by number of the view in the index
+    std::deque<std::vector<Proved>> recent;  // of the last queries, the newest last
+
+    void add(const StoredKeyframe& keyframe, size_t position);
   };
 
   void handle(const SegmentPlaced& e);
@@ -59,24 +77,26 @@ class PlaceMemory {
   void handle(const Other&) {}
 
   void look_up(size_t query);
+  void look_up(size_t query, size_t end, Known* known);
   size_t end_of_places(size_t query) const;
-  std::vector<Proved> prove(size_t query, const std::vector<int>& views);
+  std::vector<Proved> prove(size_t query, const std::vector<int>& views, const Known& known);
   bool is_on_path(const Proved& p) const;
-  bool agree(const Proved& a, const Proved& b) const;
-  bool are_apart(const Proved& a, const Proved& b) const;
-  std::vector<Proved> possible(std::vector<Proved> found);
-  void believe(std::vector<Proved> found);
-  std::vector<Proved*> agreeing_with(Proved* newest);
-  void state(Proved* p);
+  bool agree(const Proved& a, const Proved& b, const Known& known) const;
+  std::vector<Proved> possible(std::vector<Proved> found, const Known& known);
+  std::vector<Proved*> agreeing_with(Proved* newest, Known* known) const;
+  Constraint constraint_of(const Proved& p, const Known& known) const;
+  void state(Proved* p, const Known& known);
 
   const Rectification rectification_;
   const std::shared_ptr<MapLog> log_;
+  const PlaceParams params_;
+  const std::shared_ptr<const PlaceStore> kept_store_;
   PlaceStore store_;
-  std::vector<size_t> keyframe_of_;     // by number of the view in the index
   std::vector<int> first_of_epoch_{0};  // id of the first keyframe of each epoch
-  PlaceIndex index_;
-  std::deque<std::vector<Proved>> recent_;  // of the last queries, the newest last
+  Known own_, kept_;
   PlaceCounts counts_;
+  bool looks_up_ = true;
+  std::function<void(const StoredKeyframe&)> on_stored_ = [](const StoredKeyframe&) {};
 };
 
 }  // namespace edgevo

@@ -44,6 +44,12 @@ struct ViewSignature {
 /// Number of bits that differ.
 int distance(const ViewSignature& a, const ViewSignature& b);
 
+/// The light in a view.
+struct ViewLight {
+  /// Mean and standard deviation of the gray levels.
+  float mean = 0, contrast = 0;
+};
+
 /// A view as it is remembered. About 50 kB at 1241x376.
 struct RememberedView {
   /// Its corners.
@@ -53,6 +59,8 @@ struct RememberedView {
   PackedEdges edges;
   /// Its signature.
   ViewSignature signature;
+  /// Its light.
+  ViewLight light = {};
 };
 
 /// Remembers a view. Without corners and edges on parts that are fixed to the camera. Cost: some 8 ms at

@@ -25,6 +25,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
+#include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/mcap_output/mcap_output.h"
 #include "edgevo/report/run_info.h"
@@ -49,6 +50,8 @@ struct OutputOptions {
   bool copy_images = false;
   /// What run.mcap holds; it needs keep_recovery_log().
   McapContent mcap = McapContent::kOff;
+  /// Keep the map in map.db; it needs keep_recovery_log() and add_keyframe().
+  bool keep_map = false;
   /// Put points of doubtful keyframes (KeyframeRecord::is_doubtful) into the maps, too.
   bool include_doubtful = false;
 };
@@ -82,6 +85,9 @@ class RunOutputs {
   /// Whether add_view() uses what it is given.
   bool wants_views() const;
 
+  /// Adds a keyframe to map.db, if that is kept. From any thread, from the second frame on until finish().
+  void add_keyframe(const StoredKeyframe& keyframe);
+
   /// Writes all other files. If one cannot be written, the rest still are, summary.yaml names what is
   /// missing, and the first failure is thrown at the end (InputError).
   void finish(const Run& run, const RunInfo& info) { finish(run, info, false); }
@@ -103,6 +109,8 @@ class RunOutputs {
   void adopt(int last_frame);
   /// Takes over run.mcap, written up to its end; or null, and why there is none.
   void adopt(std::unique_ptr<McapOutput> mcap, const std::optional<InputError>& failure);
+  /// Takes over map.db, if the run has kept it.
+  void adopt_map();
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -2,6 +2,7 @@
 #pragma once
 // What is found of a run's past while it goes on: the ground relates units of length, places that are seen
 // again relate keyframes. For whoever feeds an Odometry frame by frame; run_odometry() does.
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -20,6 +21,10 @@ struct PastParams {
   ScaleParams scale;
   /// Whether places are recognised (places/place_memory.h); not in runs that forget.
   PlaceParams places;
+  /// A map that was kept, of the pinhole that the run works in, whose places are looked for, too; null: none.
+  std::shared_ptr<const PlaceStore> kept;
+  /// Is called as PlaceMemory::on_stored() says, in the thread that recognises places; empty: not.
+  std::function<void(const StoredKeyframe&)> on_stored;
 };
 
 /// Follows the events of a run and adds constraints to them. Places are looked up in a thread of their own
@@ -35,6 +40,8 @@ class PastFollower {
   void follow();
   /// Call before Odometry::finish(): waits until all places are looked up.
   PlaceCounts finish();
+  /// Call after it: the last keyframes, which left the window then, are remembered, too.
+  void remember_last();
 
  private:
   struct Impl;

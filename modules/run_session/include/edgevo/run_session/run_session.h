@@ -29,6 +29,9 @@ struct RunRequest {
   RunParams params;
   /// Sources of the scale, as --scale gives them.
   std::string scale = "none";
+  /// Map that an earlier run has kept (map.db, or the folder of the run), whose frame and unit the run gets
+  /// where its places are recognised; empty: none.
+  std::string map;
   /// File for a trace; empty: none.
   std::string trace;
   /// Seed of all random numbers.

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/kept_map/map_file_writer.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+
+#include "edgevo/core/error.h"
+#include "final_map.h"
+#include "keyframe_bytes.h"
+#include "map_tables.h"
+
+namespace edgevo {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+// Rows of one transaction: a killed run loses fewer than these.
+constexpr int kMaxWaiting = 4;
+constexpr std::chrono::seconds kMaxWait{1};
+
+void remove_files(const std::string& path) {
+  std::error_code ignored;
+  for (const char* end : {"", "-wal", "-shm"}) fs::remove(path + end, ignored);
+}
+
+std::string name_while_made(const std::string& path) { return path + ".new"; }
+
+void replace(const std::string& path) {
+  std::error_code error;
+  fs::rename(name_while_made(path), path, error);
+  if (error) throw InputError(path, "cannot be replaced: " + error.message(), "see " + name_while_made(path));
+}
+
+// A file of this name has all tables, whenever the program is killed.
+void make_file(const std::string& path, const MapHeader& header) {
+  remove_files(path);
+  remove_files(name_while_made(path));
+  {
+    Database database(name_while_made(path), Database::Access::kCreate);
+    database.set_log("MEMORY");
+    database.execute("PRAGMA page_size=4096; BEGIN");
+    make_tables(&database);
+    write_texts(&database, texts_of(header));
+    database.execute("COMMIT");
+  }
+  replace(path);
+}
+
+}  // namespace
+
+const std::vector<std::string>& map_file_names() {
+  static const std::vector<std::string> names{kMapFile, "map.db-wal", "map.db-shm", "map.db.new"};
+  return names;
+}
+
+struct MapFileWriter::Impl {
+  explicit Impl(const std::string& where)
+      : path(where), database(std::in_place, where, Database::Access::kWrite) {
+    // What is committed survives the death of the program; each checkpoint that of the machine.
+    database->set_log("WAL");
+    database->execute("PRAGMA synchronous=NORMAL");
+    keyframes.emplace(&*database);
+    constraints.emplace(&*database);
+  }
+  ~Impl() {
+    try {
+      commit();
+    } catch (const DatabaseError&) {
+    }
+  }
+
+  void begin_write() {
+    if (waiting++ > 0) return;
+    database->execute("BEGIN");
+    first_waiting = Clock::now();
+  }
+  void commit_if_due() {
+    if (waiting >= kMaxWaiting || Clock::now() - first_waiting > kMaxWait) commit();
+  }
+  void commit() {
+    if (waiting == 0) return;
+    database->execute("COMMIT");
+    waiting = 0;
+  }
+  void close() {
+    commit();
+    constraints.reset();
+    keyframes.reset();
+    database.reset();
+  }
+
+  std::string path;
+  std::optional<Database> database;
+  std::optional<KeyframeRows> keyframes;
+  std::optional<ConstraintRows> constraints;
+  int waiting = 0;
+  Clock::time_point first_waiting;
+};
+
+namespace {
+
+// Does it; a failure of the database becomes one of the file.
+template <class Work>
+void attempt(const std::string& path, const Work& work) {
+  try {
+    work();
+  } catch (const DatabaseError& e) {
+    throw InputError(path, std::string("cannot be written: ") + e.what(),
+                     "free space or give another -o; the map so far is kept");
+  }
+}
+
+}  // namespace
+
+MapFileWriter::MapFileWriter(const std::string& path, const MapHeader& header) {
+  attempt(path, [&] {
+    make_file(path, header);
+    impl_ = std::make_unique<Impl>(path);
+  });
+}
+
+MapFileWriter::MapFileWriter(const std::string& path) {
+  attempt(path, [&] { impl_ = std::make_unique<Impl>(path); });
+}
+
+MapFileWriter::~MapFileWriter() = default;
+
+void MapFileWriter::add(const StoredKeyframe& keyframe) {
+  if (!keyframe.view || keyframe.record->is_doubtful) return;
+  const std::string place = bytes_of(KeyframePlace{keyframe.id, keyframe.epoch, *keyframe.record}),
+                    view = bytes_of(*keyframe.view);
+  attempt(impl_->path, [&] {
+    impl_->begin_write();
+    impl_->keyframes->put(keyframe.id, place, view);
+    if (keyframe.next) impl_->constraints->put(number_of_motion(keyframe.id), motion_of(keyframe));
+    impl_->commit_if_due();
+  });
+}
+
+void MapFileWriter::add(const ConstraintAdded& added) {
+  const auto is_keyframe = [](const NodeId& node) { return node.kind() == NodeId::Kind::kKeyframe; };
+  if (!is_keyframe(added.constraint.from) || !is_keyframe(added.constraint.to)) return;
+  attempt(impl_->path, [&] {
+    impl_->begin_write();
+    impl_->constraints->put(added.id, added.constraint);
+    impl_->commit_if_due();
+  });
+}
+
+void MapFileWriter::withdraw(int constraint) {
+  attempt(impl_->path, [&] {
+    impl_->begin_write();
+    impl_->constraints->remove(constraint);
+    impl_->commit_if_due();
+  });
+}
+
+void MapFileWriter::flush() {
+  attempt(impl_->path, [&] { impl_->commit(); });
+}
+
+void MapFileWriter::finish(const Run& run) {
+  const std::string fresh = name_while_made(impl_->path);
+  remove_files(fresh);
+  attempt(impl_->path, [&] {
+    impl_->commit();
+    write_final_map(&*impl_->database, run, fresh);
+    impl_->close();
+  });
+  replace(impl_->path);
+}
+
+}  // namespace edgevo

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kept_places.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "edgevo/core/error.h"
+#include "edgevo/core/record_units.h"
+#include "edgevo/kept_map/kept_map.h"
+#include "edgevo/kept_map/map_file_writer.h"
+#include "edgevo/scale/given_scale.h"
+
+namespace edgevo {
+namespace {
+
+std::string file_of(const std::string& path) {
+  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / kMapFile).string() : path;
+}
+
+}  // namespace
+
+KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole)
+    : path_(file_of(path)) {
+  KeptMap map = read_map(path_);
+  check_camera(map, pinhole, path_);
+  if (!map.is_finished)
+    throw InputError(path_, "was left by a run that did not end, in several units of length",
+                     "`edgevo finish` ends it");
+  if (map.is_metric() && scale != "none")
+    throw InputError("--scale " + scale, "the map " + path_ + " has metres of its own", "omit --scale");
+  is_metric_ = map.is_metric(), scale_sigma_ = map.scale_sigma;
+  warnings_ = std::move(map.warnings);
+  places_ = std::make_shared<const PlaceStore>(std::move(map.store));
+}
+
+bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }
+
+void KeptPlaces::give_unit(Run* run) const {
+  if (!is_metric_ || !is_found(*run)) return;
+  scale_run(1, "kept map", run);
+  run->scale.sigma = scale_sigma_;
+}
+
+std::string KeptPlaces::statement(const Run& run) const {
+  const auto found = std::count_if(run.constraints.begin(), run.constraints.end(),
+                                   [](const ConstraintRecord& c) { return c.from_frame < 0 && c.holds; });
+  if (found == 0)
+    return "edgevo: nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
+  return std::to_string(found) + " keyframes found in " + path_ + ", whose frame and unit the run has" +
+         (is_metric_ ? " (metres)" : "");
+}
+
+}  // namespace edgevo
