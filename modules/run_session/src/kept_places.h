@@ -14,7 +14,7 @@ namespace edgevo {
 class KeptPlaces {
  public:
   /// Reads `path`, a map.db or the folder of a run. Throws InputError if it cannot be read, is of another
-  /// camera than `pinhole`, is not finished, or if `scale` asks for metres while the map has metres of its
+  /// camera than `pinhole`, is not finished, or if `scale` requests metres while the map has metres of its
   /// own.
   KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole);
 
