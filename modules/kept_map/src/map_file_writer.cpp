@@ -77,6 +77,7 @@ struct MapFileWriter::Impl {
     first_waiting = Clock::now();
   }
   void commit_if_due() {
+    if (waiting == 0) return;
     if (waiting >= kMaxWaiting || Clock::now() - first_waiting > kMaxWait) commit();
   }
   void commit() {
@@ -159,6 +160,10 @@ void MapFileWriter::withdraw(int constraint) {
 
 void MapFileWriter::flush() {
   attempt(impl_->path, [&] { impl_->commit(); });
+}
+
+void MapFileWriter::flush_old() {
+  attempt(impl_->path, [&] { impl_->commit_if_due(); });
 }
 
 void MapFileWriter::finish(const Run& run) {

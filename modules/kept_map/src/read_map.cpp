@@ -147,7 +147,7 @@ class MapReader {
   // SQLite cannot read are skipped.
   template <class Take>
   void each_row(const std::string& columns, const std::string& table, const Take& take) {
-    constexpr int kMaxFailures = 10000;  // in a row: the rest is gone
+    constexpr int kMaxFailures = 2000;  // in a row: the rest is gone
     const std::string key = columns.substr(0, columns.find(','));
     Statement row = database_->statement("SELECT " + columns + " FROM " + table + " WHERE " + key +
                                          " >= ? ORDER BY " + key + " LIMIT 1");
