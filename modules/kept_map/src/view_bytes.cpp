@@ -9,7 +9,6 @@ namespace edgevo {
 namespace {
 
 constexpr double kPerPixel = 16;
-constexpr int kDescriptorBytes = 32;
 constexpr size_t kMaxCorners = 1 << 16, kMaxEdgePixels = 1 << 22;
 
 uint16_t in_16_bits(float px) { return uint16_t(std::clamp(std::lround(px * kPerPixel), 0L, 65535L)); }
@@ -25,16 +24,17 @@ std::string head_of(const RememberedView& view) {
   return head;
 }
 
-std::string bytes_of_rows(const cv::Mat& descriptors) {
+std::string bytes_of(const std::vector<CornerDescriptor>& descriptors) {
   std::string bytes;
-  for (int r = 0; r < descriptors.rows; ++r) bytes.append(descriptors.ptr<char>(r), kDescriptorBytes);
+  for (const CornerDescriptor& d : descriptors) bytes.append(d.begin(), d.end());
   return bytes;
 }
 
-cv::Mat rows_of(const std::string& bytes) {
-  const int rows = int(bytes.size()) / kDescriptorBytes;
-  cv::Mat descriptors(rows, kDescriptorBytes, CV_8U);
-  if (rows > 0) std::copy(bytes.begin(), bytes.begin() + rows * kDescriptorBytes, descriptors.ptr<char>(0));
+std::vector<CornerDescriptor> descriptors_of(const std::string& bytes) {
+  std::vector<CornerDescriptor> descriptors(bytes.size() / sizeof(CornerDescriptor));
+  for (size_t i = 0; i < descriptors.size(); ++i)
+    std::copy_n(bytes.begin() + std::ptrdiff_t(i * sizeof(CornerDescriptor)), sizeof(CornerDescriptor),
+                descriptors[i].begin());
   return descriptors;
 }
 
@@ -44,13 +44,13 @@ void add_corners(const ViewCorners& corners, PieceWriter* out) {
     x.push_back(in_16_bits(px.x())), y.push_back(in_16_bits(px.y()));
   out->add(x);
   out->add(y);
-  out->add(bytes_of_rows(corners.descriptors));
+  out->add(bytes_of(corners.descriptors));
 }
 
 ViewCorners read_corners(size_t count, PieceReader* in) {
   ViewCorners corners;
   const std::vector<uint16_t> x = in->next_16(count), y = in->next_16(count);
-  corners.descriptors = rows_of(in->next());
+  corners.descriptors = descriptors_of(in->next());
   for (size_t i = 0; in->ok() && i < count; ++i)
     corners.px.emplace_back(float(x[i] / kPerPixel), float(y[i] / kPerPixel));
   return corners;
@@ -153,7 +153,7 @@ std::optional<RememberedView> read_view(std::string_view bytes) {
   if (!in.ok() || corners > kMaxCorners || pixels > kMaxEdgePixels || chains > pixels) return std::nullopt;
   view.corners = read_corners(corners, &pieces);
   const bool is_whole = read_edges(pixels, chains, &pieces, &view.edges);
-  if (!is_whole || size_t(view.corners.descriptors.rows) != corners) return std::nullopt;
+  if (!is_whole || view.corners.descriptors.size() != corners) return std::nullopt;
   return view;
 }
 

@@ -74,7 +74,7 @@ void FrameLog::follow(const MapEvent& event) {
   if (relates_epochs(added->constraint))
     has_found_more_ = true;
   else if (added->constraint.kind == ConstraintKind::kPlace)
-    knows_places_ = true, ++places_found_;
+    knows_places_ = true, ++places_found_, keyframes_at_place_ = run_.keyframes();
   follow(added->constraint);
 }
 
@@ -134,7 +134,10 @@ void FrameLog::add_constraint(const Constraint& constraint) {
 // places wait for each.
 bool FrameLog::are_places_due() const {
   constexpr size_t kKeyframesPerPlace = 40;
-  return places_found_ > run_.keyframes() / kKeyframesPerPlace;
+  constexpr size_t kKeyframesWithout = 20;  // after the last of them, none is waited for
+  const size_t keyframes = run_.keyframes();
+  return places_found_ > 0 && (places_found_ > keyframes / kKeyframesPerPlace ||
+                               keyframes > keyframes_at_place_ + kKeyframesWithout);
 }
 
 void FrameLog::follow_findings(int segment) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/motion_tolerance.h"
@@ -49,14 +51,35 @@ Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunS
   return c;
 }
 
-// From the world of the run to that of a kept map, where a keyframe has been found in one: a guess.
+bool is_in_kept_map(const Constraint& c) { return c.from == NodeId::world(); }
+
+// From the world of the run to that of a kept map, a guess: of those that the keyframes found there state,
+// the one that explains the places of all of them best, as a median does.
 Sim3 into_kept_map(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
                    const PlacedEpochs& placed) {
-  for (const auto& [id, c] : constraints)
-    for (const KeyframeInMap& k : keyframes)
-      if (c.from == NodeId::world() && c.to == node(k.id))
-        return c.T_from_to * T_world_cam(k, placed).inverse();
-  return {};
+  constexpr size_t kMaxCompared = 50;
+  std::vector<std::pair<Sim3, Eigen::Vector3d>>
+      found;  // T_world_cam in the kept map, and the place in the run's
+  std::vector<Sim3> stated;
+  for (const auto& [id, c] : constraints) {
+    if (!is_in_kept_map(c) || placed.is_unused(id)) continue;
+    const auto k = std::find_if(keyframes.begin(), keyframes.end(),
+                                [&](const KeyframeInMap& known) { return node(known.id) == c.to; });
+    if (k == keyframes.end()) continue;
+    const Sim3 T_run_cam = T_world_cam(*k, placed);
+    found.emplace_back(c.T_from_to, T_run_cam.rigid.translation());
+    stated.push_back(c.T_from_to * T_run_cam.inverse());
+  }
+  Sim3 best;
+  double least = std::numeric_limits<double>::infinity();
+  const size_t step = 1 + found.size() / kMaxCompared;
+  for (size_t i = 0; i < stated.size(); i += step) {
+    double off = 0;
+    for (size_t j = 0; j < found.size(); j += step)
+      off += (stated[i] * found[j].second - found[j].first.rigid.translation()).norm();
+    if (off < least) least = off, best = stated[i];
+  }
+  return best;
 }
 
 // One that can be mistaken, unless it says how it may fail.
@@ -66,11 +89,52 @@ Constraint place(const Constraint& given) {
   return c;
 }
 
+// What follows the newest keyframe moves with it.
+void move_epochs_after(const KeyframeInMap& newest, const Sim3& T_after_before, PlacedEpochs* placed) {
+  const EpochPlace* of_newest = placed->find(newest.segment, newest.id);
+  bool is_after = false;
+  for (EpochPlace& e : placed->epochs) {
+    if (is_after) e.T_world_map = T_after_before * e.T_world_map;
+    if (&e != of_newest) continue;
+    e.T_world_map = placed->own.at(newest.id);
+    is_after = true;
+  }
+}
+
+// Returns whether a kept map holds the run, if one is stated to.
+bool place(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
+           const RunSoFar& run, PlacedEpochs* placed) {
+  MapGraph graph;
+  const Sim3 T_kept_world = into_kept_map(constraints, keyframes, *placed);
+  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_kept_world * T_world_cam(k, *placed));
+  for (size_t i = 1; i < keyframes.size(); ++i)
+    graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
+  std::map<int, int> id_of;  // by number in the graph
+  int in_kept_map = 0;
+  for (const auto& [id, c] : constraints)
+    if (measures_place(c) && !placed->is_unused(id) && graph.knows(c.from) && graph.knows(c.to))
+      id_of[graph.add(place(c))] = id, in_kept_map += is_in_kept_map(c);
+  const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
+  const bool is_held_by_one = in_kept_map > 0;
+  for (const int failed : found.failed)
+    if (const auto c = id_of.find(failed); c != id_of.end()) {
+      placed->unused.push_back(c->second);
+      in_kept_map -= is_in_kept_map(constraints.at(c->second));
+    }
+  if (is_held_by_one && in_kept_map == 0) return false;
+  const KeyframeInMap& newest = keyframes.back();
+  const Sim3 before = T_world_cam(newest, *placed);
+  for (const KeyframeInMap& k : keyframes)
+    placed->own[k.id] = found.nodes.at(node(k.id)).T_world_node * Sim3{1, k.T_map_cam}.inverse();
+  move_epochs_after(newest, T_world_cam(newest, *placed) * before.inverse(), placed);
+  return true;
+}
+
 }  // namespace
 
 // Features link the ends of a doubt: within one epoch they show what tracking had.
 bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const RunSoFar& run) {
-  if (c.from == NodeId::world()) return measures_place(c) && run.keyframe(c.to.number());
+  if (is_in_kept_map(c)) return measures_place(c) && run.keyframe(c.to.number());
   if (!measures_place(c) || c.kind == ConstraintKind::kFeatures) return false;
   const auto from = run.keyframe(c.from.number()), to = run.keyframe(c.to.number());
   if (!from || !to) return false;
@@ -81,24 +145,9 @@ bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const
 void place_keyframes(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& known,
                      const RunSoFar& run, PlacedEpochs* placed) {
   const std::vector<KeyframeInMap> keyframes = sound(known);
-  if (keyframes.empty()) return;
-  MapGraph graph;
-  const Sim3 T_kept_world = into_kept_map(constraints, keyframes, *placed);
-  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_kept_world * T_world_cam(k, *placed));
-  for (size_t i = 1; i < keyframes.size(); ++i)
-    graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
-  std::map<int, int> id_of;  // by number in the graph
-  for (const auto& [id, c] : constraints)
-    if (measures_place(c) && !placed->is_unused(id) && graph.knows(c.from) && graph.knows(c.to))
-      id_of[graph.add(place(c))] = id;
-  const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
-  for (const int failed : found.failed)
-    if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
-  for (const KeyframeInMap& k : keyframes)
-    placed->own[k.id] = found.nodes.at(node(k.id)).T_world_node * Sim3{1, k.T_map_cam}.inverse();
-  const KeyframeInMap& newest = keyframes.back();
-  EpochPlace& last = placed->epochs.back();
-  if (placed->find(newest.segment, newest.id) == &last) last.T_world_map = placed->own.at(newest.id);
+  if (keyframes.empty() || place(constraints, keyframes, run, placed)) return;
+  // All that was found in a kept map is contradicted: the run keeps its own frame and unit.
+  place(constraints, keyframes, run, placed);
 }
 
 }  // namespace edgevo

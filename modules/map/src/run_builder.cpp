@@ -116,6 +116,8 @@ void RunBuilder::handle(const MapMoved& e) {
   const double image_ratio = e.lens ? (1 + e.lens->before.focal) / (1 + e.lens->now.focal) : 1;
   for (const KeyframeMove& move : e.keyframes) {
     changes_[move.id].push_back({moves_, move.scale_ratio, image_ratio});
+    if (const auto motion = path_.neighbours.find(move.id); motion != path_.neighbours.end())
+      scale_motion(move.scale_ratio, &motion->second);
     const auto known = keyframes_.find(move.id);
     // A keyframe that is still in the window is marginalised with its new values.
     if (known == keyframes_.end()) continue;

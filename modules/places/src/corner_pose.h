@@ -19,7 +19,7 @@ class NearestPoint {
 
  private:
   const std::vector<CloudPoint>* points_;
-  float radius_;
+  float radius_, cell_;
   int columns_, rows_;
   std::vector<std::vector<int>> cells_;
 };

@@ -16,9 +16,10 @@ constexpr int kBits = 256;
 // those of which a tenth of the bits differs, 79 % of 15 %.
 constexpr int kTables = 8, kTableBits = 20, kFlips = 1;
 // Places that one corner supports, and how alike they must be: half of all bits differ by chance.
-constexpr int kNearest = 8, kMaxVoteBits = 70;
+constexpr size_t kNearest = 8;
+constexpr int kMaxVoteBits = 70;
 // More queries at a time faiss shares between threads, which belong to the frames.
-constexpr int kInOneThread = 100;
+constexpr size_t kInOneThread = 100;
 // What a query says of a view, the next one says of its neighbours; so much of it is kept, and so far do two
 // views in a row lie apart: five or so in a row count.
 constexpr double kKept = 0.8;
@@ -44,7 +45,8 @@ std::vector<int> ranks_of(const std::vector<double>& votes) {
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return votes[size_t(a)] > votes[size_t(b)]; });
-  for (size_t i = 0; i < order.size(); ++i) rank[size_t(order[i])] = int(i);
+  for (size_t i = 0; i < order.size(); ++i)
+    rank[size_t(order[i])] = int(votes[size_t(order[i])] > 0 ? i : order.size());
   return rank;
 }
 
@@ -62,46 +64,44 @@ PlaceIndex::~PlaceIndex() = default;
 int PlaceIndex::add(const RememberedView& view) {
   const int number = int(signatures_.size());
   signatures_.push_back(view.signature);
-  const cv::Mat& d = view.corners.descriptors;
-  if (d.rows > 0) corners_->hash.add(d.rows, d.ptr());
-  corners_->view_of.resize(corners_->view_of.size() + size_t(d.rows), number);
+  const std::vector<CornerDescriptor>& d = view.corners.descriptors;
+  if (!d.empty()) corners_->hash.add(faiss::IndexBinary::idx_t(d.size()), d.front().data());
+  corners_->view_of.resize(corners_->view_of.size() + d.size(), number);
   return number;
 }
 
-std::vector<double> PlaceIndex::votes_by_corners(const RememberedView& query, size_t end) const {
-  std::vector<double> votes(end, 0);
-  const cv::Mat& d = query.corners.descriptors;
-  std::vector<int32_t> distances(size_t(d.rows) * kNearest);
+std::vector<double> PlaceIndex::votes_by_corners(const RememberedView& query) const {
+  std::vector<double> votes(size(), 0);
+  const std::vector<CornerDescriptor>& d = query.corners.descriptors;
+  std::vector<int32_t> distances(d.size() * kNearest);
   std::vector<faiss::IndexBinary::idx_t> found(distances.size(), -1);
-  for (int i = 0; i < d.rows; i += kInOneThread)
-    corners_->hash.search(std::min(kInOneThread, d.rows - i), d.ptr(i), kNearest,
-                          &distances[size_t(i) * kNearest], &found[size_t(i) * kNearest]);
-  for (int i = 0; i < d.rows; ++i) {
+  for (size_t i = 0; i < d.size() && !corners_->view_of.empty(); i += kInOneThread)
+    corners_->hash.search(faiss::IndexBinary::idx_t(std::min(kInOneThread, d.size() - i)), d[i].data(),
+                          kNearest, &distances[i * kNearest], &found[i * kNearest]);
+  for (size_t i = 0; i < d.size(); ++i) {
     std::set<int> views;
-    for (int k = 0; k < kNearest; ++k) {
-      const size_t at = size_t(i) * kNearest + size_t(k);
-      if (found[at] < 0 || distances[at] > kMaxVoteBits) continue;
-      const int view = corners_->view_of[size_t(found[at])];
-      if (size_t(view) < end && views.insert(view).second) votes[size_t(view)] += 1;
-    }
+    for (size_t at = i * kNearest; at < (i + 1) * kNearest; ++at)
+      if (found[at] >= 0 && distances[at] <= kMaxVoteBits) views.insert(corners_->view_of[size_t(found[at])]);
+    for (const int view : views) votes[size_t(view)] += 1;
   }
   return votes;
 }
 
 // As far as a view is more like the query than the half of all bits that differ by chance.
-std::vector<double> PlaceIndex::votes_by_signature(const RememberedView& query, size_t end) const {
+std::vector<double> PlaceIndex::votes_by_signature(const RememberedView& query) const {
   constexpr int kHalf = ViewSignature::kColumns * ViewSignature::kRows * ViewSignature::kDirections / 2;
-  std::vector<double> votes(end, 0);
-  for (size_t i = 0; i < end; ++i) votes[i] = std::max(0, kHalf - distance(query.signature, signatures_[i]));
+  std::vector<double> votes(size(), 0);
+  for (size_t i = 0; i < size(); ++i)
+    votes[i] = std::max(0, kHalf - distance(query.signature, signatures_[i]));
   return votes;
 }
 
-std::vector<int> PlaceIndex::candidates(const RememberedView& query, int end, size_t count) {
-  if (end <= 0) return {};
-  by_corners_ = carried_on(by_corners_, votes_by_corners(query, size_t(end)));
-  by_signature_ = carried_on(by_signature_, votes_by_signature(query, size_t(end)));
+std::vector<int> PlaceIndex::candidates(const RememberedView& query, size_t count) {
+  if (size() == 0) return {};
+  by_corners_ = carried_on(by_corners_, votes_by_corners(query));
+  by_signature_ = carried_on(by_signature_, votes_by_signature(query));
   const std::vector<int> a = ranks_of(by_corners_), b = ranks_of(by_signature_);
-  std::vector<int> order(size_t(end), 0);
+  std::vector<int> order(size(), 0);
   std::iota(order.begin(), order.end(), 0);
   // The better voter counts most: they fail differently.
   const auto key = [&](int i) { return 1.0 / (1 + a[size_t(i)]) + 1.0 / (1 + b[size_t(i)]); };

@@ -20,6 +20,8 @@ constexpr double kLogProof = -6;
 // Turns of the camera that displace all edges, in pixels of the level: beyond what an edge agrees within, and
 // within the view.
 constexpr double kDisplacedPx[] = {8, 14, 22};
+// From where the next best pose is looked for: as far as an edge is attracted from.
+constexpr double kNextBestPx = 11;
 // A place has all six directions measured: to a tenth of the median depth, and a degree.
 constexpr double kMaxShare = 0.1, kMaxRotation = rad(1);
 // Points of both maps on one edge, pixels of the finest level, and their least number.
@@ -43,17 +45,31 @@ double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / double(values.size());
 }
 
-// Share of the edges that agree by chance: of the camera turned aside.
+// The camera turned aside.
+SE3 displaced(const SE3& T_to_from, double angle, int direction) {
+  const double turn = direction * M_PI / 4;
+  Vector6d xi = Vector6d::Zero();
+  xi[3] = angle * std::cos(turn), xi[4] = angle * std::sin(turn);
+  return SE3::exp(xi) * T_to_from;
+}
+
+// Share of the edges that agree by chance: of the camera turned aside, or where next to the pose they fit
+// best, such as those of a fence one board on.
 double chance_share(const FramePyramid& to, const ReferenceCloud& cloud, const SE3& T_to_from) {
+  const double per_px = 1 / to.finest().pinhole.fx;
   std::vector<double> shares;
-  for (const double px : kDisplacedPx)
-    for (int direction = 0; direction < 8; ++direction) {
-      const double angle = px / to.finest().pinhole.fx, turn = direction * M_PI / 4;
-      Vector6d xi = Vector6d::Zero();
-      xi[3] = angle * std::cos(turn), xi[4] = angle * std::sin(turn);
-      shares.push_back(weigh_evidence(to, cloud, SE3::exp(xi) * T_to_from, kParams).inlier_share);
-    }
-  return mean_of(shares);
+  double next_best = 0;
+  for (int direction = 0; direction < 8; ++direction) {
+    for (const double px : kDisplacedPx)
+      shares.push_back(
+          weigh_evidence(to, cloud, displaced(T_to_from, px * per_px, direction), kParams).inlier_share);
+    SE3 other = displaced(T_to_from, kNextBestPx * per_px, direction);
+    align_edges(to, cloud, 0, kParams, &other);
+    const double apart = other.is_finite() ? (other * T_to_from.inverse()).log().tail<3>().norm() : 0;
+    if (apart > 0.5 * kNextBestPx * per_px)
+      next_best = std::max(next_best, weigh_evidence(to, cloud, other, kParams).inlier_share);
+  }
+  return std::max(mean_of(shares), next_best);
 }
 
 int edges_in(const std::vector<PoseEquation>& equations) {
@@ -124,10 +140,10 @@ Matrix7d covariance_of(const AlignedEdges& there, const SE3& T_b_a_by_return, co
   const Matrix6d of_b = there.covariance + differing * differing.transpose();
   Matrix7d covariance = Matrix7d::Zero();
   covariance.topLeftCorner<6, 6>() = of_b;
+  // The unit of map b: about the camera of view b.
+  covariance(6, 6) = ratio.sigma * ratio.sigma;
   const Matrix7d moved = Sim3{1, there.T_to_from.inverse()}.adjoint();  // of the inverse
-  covariance = (moved * covariance * moved.transpose()).eval();
-  covariance(6, 6) += ratio.sigma * ratio.sigma;
-  return covariance;
+  return moved * covariance * moved.transpose();
 }
 
 void note(const AlignedEdges& found, int direction, PlaceEvidence* evidence) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/places/place_memory.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <iterator>
 
 namespace edgevo {
 namespace {
@@ -23,6 +25,8 @@ Matrix7d moved(const Sim3& T, const Matrix7d& covariance) {
   const Matrix7d A = T.adjoint();
   return A * covariance * A.transpose();
 }
+
+Matrix7d symmetric(const Matrix7d& m) { return 0.5 * (m + m.transpose()); }
 
 }  // namespace
 
@@ -49,22 +53,30 @@ void PlaceMemory::apply(const MapEvent& event) {
 }
 
 void PlaceMemory::handle(const SegmentPlaced&) {
-  first_of_epoch_.push_back(store_.size() == 0 ? 0 : store_.keyframes().back().id + 1);
+  if (store_.size() > 0) first_of_epoch_.insert(store_.keyframes().back().id + 1);
 }
 
-void PlaceMemory::handle(const EpochBegan& e) { first_of_epoch_.push_back(e.first); }
+// It can be announced when keyframes of it, or of the next segment, have been stored. Those in the doubt
+// belong to neither side.
+void PlaceMemory::handle(const EpochBegan& e) {
+  first_of_epoch_.insert({e.last_before + 1, e.first});
+  store_.number_epochs(first_of_epoch_);
+}
 
 void PlaceMemory::handle(const KeyframeMarginalised& e) {
   StoredKeyframe k{e.id, 0, e.keyframe, nullptr, std::nullopt};
-  const auto after = std::upper_bound(first_of_epoch_.begin(), first_of_epoch_.end(), e.id);
-  k.epoch = int(after - first_of_epoch_.begin());
+  k.epoch = int(std::distance(first_of_epoch_.begin(), first_of_epoch_.upper_bound(e.id)));
   if (!e.neighbours.empty()) k.next = e.neighbours.front();
   if (e.pyramid && !e.keyframe->is_doubtful)
     k.view = std::make_shared<const RememberedView>(remember_view(*e.pyramid));
-  if (params_.loops) own_.add(k, store_.size());
+  if (k.view && params_.loops) waiting_.push_back(store_.size());
   on_stored_(k);
   store_.add(std::move(k));
-  if (looks_up_ && store_.size() > PlaceStore::kAround) look_up(store_.size() - 1 - PlaceStore::kAround);
+  if (store_.size() <= PlaceStore::kAround) return;
+  if (looks_up_)
+    look_up(store_.size() - 1 - PlaceStore::kAround);
+  else
+    ++counts_.skipped;
 }
 
 void PlaceMemory::handle(const MapMoved& e) {
@@ -74,35 +86,34 @@ void PlaceMemory::handle(const MapMoved& e) {
     if (k.record->segment == e.segment && e.find(k.id)) on_stored_(k);
 }
 
-// Number of the views of the run that are far enough before a keyframe.
-size_t PlaceMemory::end_of_places(size_t query) const {
-  size_t end = 0;
-  while (end < own_.keyframe_of.size()) {
-    const size_t at = own_.keyframe_of[end];
-    if (at >= query || (store_.is_one_unit(at, query) && at + kLeastGap > query)) break;
-    ++end;
-  }
-  return end;
+// Those of the run that are far enough before a keyframe: what was seen around it is no place seen again.
+void PlaceMemory::add_places_before(size_t query) {
+  const auto is_far = [&](size_t at) {
+    return at < query && (!store_.is_one_unit(at, query) || at + kLeastGap <= query);
+  };
+  for (; !waiting_.empty() && is_far(waiting_.front()); waiting_.pop_front())
+    own_.add(store_.keyframes()[waiting_.front()], waiting_.front());
 }
 
 void PlaceMemory::look_up(size_t query) {
+  add_places_before(query);
   if (!store_.keyframes()[query].view) return;
   ++counts_.queries;
-  if (params_.loops) look_up(query, end_of_places(query), &own_);
-  if (kept_.store) look_up(query, kept_.index.size(), &kept_);
+  look_up(query, &own_);
+  if (kept_.store) look_up(query, &kept_);
 }
 
-void PlaceMemory::look_up(size_t query, size_t end, Known* known) {
-  const std::vector<int> views =
-      known->index.candidates(*store_.keyframes()[query].view, int(end), kCandidates);
+// States the place of the newest keyframe that is proved best, and those of keyframes before it that agree.
+void PlaceMemory::look_up(size_t query, Known* known) {
+  const std::vector<int> views = known->index.candidates(*store_.keyframes()[query].view, kCandidates);
   counts_.candidates += int(views.size());
   known->recent.push_back(possible(prove(query, views, *known), *known));
   if (known->recent.size() > kRecent) known->recent.pop_front();
-  for (Proved& p : known->recent.back()) {
-    const std::vector<Proved*> agreeing = agreeing_with(&p, known);
-    if (agreeing.size() >= kAgreeing)
-      for (Proved* a : agreeing) state(a, *known);
-  }
+  std::vector<Proved>& newest = known->recent.back();
+  if (newest.empty()) return;
+  const std::vector<Proved*> agreeing = agreeing_with(&newest.front(), known);
+  if (agreeing.size() >= kAgreeing)
+    for (Proved* p : agreeing) state(p, *known);
 }
 
 std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vector<int>& views,
@@ -117,6 +128,9 @@ std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vec
     ++counts_.proved;
     proved.push_back({place, query, *match, false});
   }
+  std::stable_sort(proved.begin(), proved.end(), [](const Proved& a, const Proved& b) {
+    return a.match.evidence.edges_log_alarms < b.match.evidence.edges_log_alarms;
+  });
   return proved;
 }
 
@@ -126,6 +140,12 @@ bool PlaceMemory::is_on_path(const Proved& p) const {
   const Sim3 by_path{1, store_.T_a_b(p.place, p.query)};
   return squared_distance(p.match.T_a_b, by_path,
                           store_.path_covariance(p.place, p.query) + p.match.covariance) < kThreeSigmas;
+}
+
+// Whether the path between the two is more certain than what their views show: at a standstill, or at a desk.
+bool PlaceMemory::is_known_already(const Proved& p) const {
+  return store_.is_one_unit(p.place, p.query) &&
+         store_.path_covariance(p.place, p.query).trace() < p.match.covariance.trace();
 }
 
 // Whether the way over place and query of one is that of the other: T_a_b of one, as the other has it.
@@ -171,21 +191,25 @@ Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known) const
   c.kind = ConstraintKind::kPlace;
   c.to = NodeId::keyframe(store_.keyframes()[p.query].id);
   c.T_from_to = p.match.T_a_b;
-  c.covariance = p.match.covariance;
+  c.covariance = symmetric(p.match.covariance);
   if (&known == &own_) {
     c.from = NodeId::keyframe(store_.keyframes()[p.place].id);
     return c;
   }
   const Sim3 T_world_place{1, known.store->keyframes()[p.place].record->T_world_cam};
   c.T_from_to = T_world_place * c.T_from_to;
-  c.covariance = moved(T_world_place, c.covariance);
+  c.covariance = symmetric(moved(T_world_place, c.covariance));
   return c;
 }
 
 void PlaceMemory::state(Proved* p, const Known& known) {
   if (p->is_stated) return;
   p->is_stated = true;
-  log_->add_constraint(constraint_of(*p, known));
+  const Constraint constraint = constraint_of(*p, known);
+  const bool is_sound = constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite() &&
+                        Eigen::LLT<Matrix7d>(constraint.covariance).info() == Eigen::Success;
+  if (!is_sound || (&known == &own_ && is_known_already(*p))) return;
+  log_->add_constraint(constraint);
   ++(&known == &own_ ? counts_.stated : counts_.in_kept_map);
 }
 

@@ -25,7 +25,7 @@ std::optional<CloudPoint> seen_from(const Pinhole& pinhole, const SE3& T_to_from
   CloudPoint found;
   found.ray = pinhole.ray(seen.px);
   found.idepth = p.idepth / seen.Y.z();
-  found.idepth_sigma = p.idepth_sigma / seen.Y.z();
+  found.idepth_sigma = p.idepth_sigma * (R.row(2) * pinhole.ray(px)).value() / (seen.Y.z() * seen.Y.z());
   found.px = seen.px.cast<float>();
   found.normal = Eigen::Vector2d(edge.y(), -edge.x()).cast<float>();
   found.host_keyframe = id;
@@ -34,6 +34,11 @@ std::optional<CloudPoint> seen_from(const Pinhole& pinhole, const SE3& T_to_from
 
 }  // namespace
 
+void PlaceStore::number_epochs(const std::set<int>& first_keyframes) {
+  for (StoredKeyframe& k : keyframes_)
+    k.epoch = int(std::distance(first_keyframes.begin(), first_keyframes.upper_bound(k.id)));
+}
+
 void PlaceStore::move(const Rectification& rectification, const MapMoved& moved) {
   for (StoredKeyframe& k : keyframes_) {
     const KeyframeMove* move = k.record->segment == moved.segment ? moved.find(k.id) : nullptr;
@@ -41,6 +46,7 @@ void PlaceStore::move(const Rectification& rectification, const MapMoved& moved)
     auto record = std::make_shared<KeyframeRecord>(*k.record);
     apply_move(rectification, moved, *move, record.get());
     k.record = std::move(record);
+    if (k.next) scale_motion(move->scale_ratio, &*k.next);
     if (k.view && moved.lens)
       k.view = std::make_shared<const RememberedView>(
           moved_view(rectification, *moved.lens, move->motion, *k.view));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
 #include <opencv2/features2d.hpp>
 
 namespace edgevo {
@@ -48,9 +50,18 @@ ViewCorners find_corners(const FramePyramid& pyramid) {
   found = strongest_of_cells(std::move(found), image.size());
   for (cv::KeyPoint& k : found) k.angle = 0;  // upright
   ViewCorners corners;
-  orb->compute(image, found, corners.descriptors);
+  cv::Mat descriptors;
+  orb->compute(image, found, descriptors);
+  corners.descriptors.resize(found.size());
+  for (int i = 0; i < descriptors.rows; ++i)
+    std::copy_n(descriptors.ptr(i), sizeof(CornerDescriptor), corners.descriptors[size_t(i)].data());
   for (const cv::KeyPoint& k : found) corners.px.emplace_back(k.pt.x, k.pt.y);
   return corners;
+}
+
+// Beyond 4095 pixels, of a level that is not halved, edges are as at the border.
+uint16_t in_sixteenths(float x) {
+  return uint16_t(std::clamp<long>(std::lround(x * kPerPixel), 0, std::numeric_limits<uint16_t>::max()));
 }
 
 PackedEdges pack(const PyramidLevel& level) {
@@ -58,7 +69,7 @@ PackedEdges pack(const PyramidLevel& level) {
   packed.pinhole = level.pinhole;
   for (const EdgeChain& chain : level.edges.chains) packed.begins.push_back(chain.begin);
   for (const EdgePixel& p : level.edges.pixels) {
-    packed.at.push_back({uint16_t(std::lround(p.x * kPerPixel)), uint16_t(std::lround(p.y * kPerPixel))});
+    packed.at.push_back({in_sixteenths(p.x), in_sixteenths(p.y)});
     packed.normal.push_back(uint8_t(std::lround(std::atan2(p.ny, p.nx) * kPerTurn) & 255));
   }
   return packed;

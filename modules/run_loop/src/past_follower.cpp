@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/run_loop/past_follower.h"
 
+#include <atomic>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,10 @@
 
 namespace edgevo {
 namespace {
+
+// Frames that the places may be behind, a few seconds; then keyframes are remembered, which costs a tenth,
+// and not looked up: each that waits keeps its images in memory.
+constexpr int kMaxWaiting = 100;
 
 WorkerOptions worker_options(const OdometryOptions& options) {
   WorkerOptions worker;
@@ -37,7 +42,9 @@ struct PastFollower::Impl {
   void follow_places() {
     if (!places) return;
     std::vector<std::shared_ptr<const MapEvent>> events = place_events->read();
+    ++waiting;
     worker.submit([this, events = std::move(events)] {
+      places->look_up_too(--waiting < kMaxWaiting && !has_ended);
       for (const auto& event : events) places->apply(*event);
     });
   }
@@ -46,7 +53,9 @@ struct PastFollower::Impl {
   MapCursor ground_events;
   std::optional<PlaceMemory> places;
   std::optional<MapCursor> place_events;
-  Worker worker;  // the last one: its work uses the others
+  bool has_ended = false;        // of the worker once it has
+  std::atomic<int> waiting = 0;  // frames whose events are not taken yet
+  Worker worker;                 // the last one: its work uses the others
 };
 
 PastFollower::PastFollower(const Camera& camera, const std::optional<SE3>& T_vehicle_cam,
@@ -68,7 +77,7 @@ PlaceCounts PastFollower::finish() {
 
 void PastFollower::remember_last() {
   if (!impl_->places) return;
-  impl_->places->only_remember();
+  impl_->has_ended = true;
   impl_->follow_places();
   impl_->worker.wait_idle();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_places.h"
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "edgevo/core/error.h"
@@ -31,7 +31,9 @@ KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const 
     throw InputError("--scale " + scale, "the map " + path_ + " has metres of its own", "omit --scale");
   is_metric_ = map.is_metric(), scale_sigma_ = map.scale_sigma;
   warnings_ = std::move(map.warnings);
-  places_ = std::make_shared<const PlaceStore>(std::move(map.store));
+  auto places = std::make_shared<PlaceStore>(std::move(map.store));
+  places->number_epochs({});  // at its end a run has one unit
+  places_ = std::move(places);
 }
 
 bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }
@@ -43,12 +45,13 @@ void KeptPlaces::give_unit(Run* run) const {
 }
 
 std::string KeptPlaces::statement(const Run& run) const {
-  const auto found = std::count_if(run.constraints.begin(), run.constraints.end(),
-                                   [](const ConstraintRecord& c) { return c.from_frame < 0 && c.holds; });
-  if (found == 0)
+  std::set<int> found;  // frames
+  for (const ConstraintRecord& c : run.constraints)
+    if (c.from_frame < 0 && c.holds) found.insert(c.to_frame);
+  if (found.empty())
     return "edgevo: nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
-  return std::to_string(found) + " keyframes found in " + path_ + ", whose frame and unit the run has" +
-         (is_metric_ ? " (metres)" : "");
+  return std::to_string(found.size()) + " keyframes found in " + path_ +
+         ", whose frame and unit the run has" + (is_metric_ ? " (metres)" : "");
 }
 
 }  // namespace edgevo

@@ -44,13 +44,14 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info) {
 }
 
 std::string statement_of(const PlaceCounts& places) {
-  if (places.proved == 0) return "";
+  if (places.stated + places.beyond_drift + places.ambiguous == 0) return "";
   std::string text = std::to_string(places.stated) + " keyframes at places seen before, of " +
                      std::to_string(places.queries) + " looked up";
   if (places.beyond_drift > 0)
     text += "; " + std::to_string(places.beyond_drift) + " matches rejected, too far from the path";
   if (places.ambiguous > 0)
     text += "; " + std::to_string(places.ambiguous) + " rejected, places that look alike";
+  if (places.skipped > 0) text += "; " + std::to_string(places.skipped) + " skipped for lack of time";
   return text;
 }
 

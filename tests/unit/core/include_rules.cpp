@@ -26,7 +26,7 @@ const std::vector<Library> kLibraries{
     {"OctoMap", {"octomap/", "octomath/"}, {"occupancy"}},
     {"MRPT", {"mrpt/"}, {"mrpt_bridge"}},
     {"ViSP", {"visp3/", "visp/"}, {"visp_bridge", "servo"}},
-    {"OpenCV", {"opencv2/", "opencv/"}, {"edges", "features"}},
+    {"OpenCV", {"opencv2/", "opencv/"}, {"edges", "features", "opencv_bridge"}},
 };
 
 bool begins_with(const std::string& s, const std::string& prefix) {

@@ -17,11 +17,11 @@ namespace edgevo::test {
 /// A view with `corners` corners and `edges` edges of 30 pixels.
 inline RememberedView made_view(const Pinhole& pinhole, int corners, int edges, Random* random) {
   RememberedView view;
-  view.corners.descriptors.create(corners, 32, CV_8U);
+  view.corners.descriptors.resize(size_t(corners));
   for (int i = 0; i < corners; ++i) {
     view.corners.px.emplace_back(float(random->uniform(0, pinhole.width - 1)),
                                  float(random->uniform(0, pinhole.height - 1)));
-    for (int b = 0; b < 32; ++b) view.corners.descriptors.at<uint8_t>(i, b) = uint8_t(random->below(256));
+    for (uint8_t& byte : view.corners.descriptors[size_t(i)]) byte = uint8_t(random->below(256));
   }
   view.edges.pinhole = pinhole.at_level(1);
   for (int e = 0; e < edges; ++e) {

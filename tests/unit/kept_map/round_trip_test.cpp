@@ -40,7 +40,7 @@ void expect_equal_views(const RememberedView& read, const RememberedView& writte
   ASSERT_EQ(read.corners.px.size(), written.corners.px.size());
   for (size_t i = 0; i < read.corners.px.size(); ++i)
     EXPECT_LE((read.corners.px[i] - written.corners.px[i]).cwiseAbs().maxCoeff(), 1 / 32.0 + 1e-5);
-  EXPECT_EQ(cv::countNonZero(read.corners.descriptors != written.corners.descriptors), 0);
+  EXPECT_EQ(read.corners.descriptors, written.corners.descriptors);
   EXPECT_EQ(read.edges.pinhole, written.edges.pinhole);
   EXPECT_EQ(read.edges.at, written.edges.at);
   EXPECT_EQ(read.edges.normal, written.edges.normal);

@@ -105,7 +105,8 @@ class FrameLog {
   std::map<int, FrameAnchored> unlinked_;  // by frame; also those that only the ground links
   PlacedEpochs placed_;                    // as announced last
   bool has_found_more_ = false;
-  size_t places_found_ = 0;  // within an epoch, since the last solution
+  size_t places_found_ = 0;        // within an epoch, since the last solution
+  size_t keyframes_at_place_ = 0;  // when the newest of them was found
   bool knows_places_ = false;
   std::optional<std::future<PlacedEpochs>> placing_;
   Worker placer_;

@@ -124,6 +124,14 @@ struct NeighbourPose {
   Matrix6d covariance = Matrix6d::Zero();
 };
 
+/// Applies a change of the unit: new length over old length.
+inline void scale_motion(double ratio, NeighbourPose* motion) {
+  SE3& T = motion->T_leaving_neighbour;
+  T = SE3(T.rotation(), ratio * T.translation());
+  motion->covariance.topRows<3>() *= ratio;
+  motion->covariance.leftCols<3>() *= ratio;
+}
+
 /// A keyframe has left the window; only a MapMoved changes it from now on.
 struct KeyframeMarginalised {
   /// Id of the keyframe.

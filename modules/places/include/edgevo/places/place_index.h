@@ -24,14 +24,15 @@ class PlaceIndex {
   /// Number of views.
   size_t size() const { return signatures_.size(); }
 
-  /// The likeliest views among those with numbers below `end`, likeliest first, none next to another one.
-  /// Successive calls are for successive views. Cost: about 2 ms at 1,000 views.
-  std::vector<int> candidates(const RememberedView& query, int end, size_t count);
+  /// The likeliest views, likeliest first, none next to another one. The query must not be among the views,
+  /// nor what was seen around it: its corners would look most alike. Successive calls are for successive
+  /// views. Cost: about 2 ms at 1,000 views.
+  std::vector<int> candidates(const RememberedView& query, size_t count);
 
  private:
   struct Corners;
-  std::vector<double> votes_by_corners(const RememberedView& query, size_t end) const;
-  std::vector<double> votes_by_signature(const RememberedView& query, size_t end) const;
+  std::vector<double> votes_by_corners(const RememberedView& query) const;
+  std::vector<double> votes_by_signature(const RememberedView& query) const;
 
   std::unique_ptr<Corners> corners_;
   std::vector<ViewSignature> signatures_;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "edgevo/core/rectification.h"
@@ -26,6 +27,8 @@ namespace edgevo {
 struct PlaceCounts {
   /// Keyframes looked up, and the candidates for them.
   int queries = 0, candidates = 0;
+  /// Keyframes that were not looked up, so that the others were in time.
+  int skipped = 0;
   /// Pairs of views that were proved to show one place; of these, those that the path contradicts, and those
   /// of keyframes that match places apart.
   int proved = 0, beyond_drift = 0, ambiguous = 0;
@@ -48,8 +51,8 @@ class PlaceMemory {
   /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
   /// when the camera is corrected; in the thread of apply().
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
-  /// From now on keyframes are remembered and not looked up: the run has been solved for.
-  void only_remember() { looks_up_ = false; }
+  /// Whether keyframes are looked up from now on, or only remembered: where they would come too late.
+  void look_up_too(bool looks_up) { looks_up_ = looks_up; }
   /// What was found so far.
   const PlaceCounts& counts() const { return counts_; }
 
@@ -77,8 +80,9 @@ class PlaceMemory {
   void handle(const Other&) {}
 
   void look_up(size_t query);
-  void look_up(size_t query, size_t end, Known* known);
-  size_t end_of_places(size_t query) const;
+  void look_up(size_t query, Known* known);
+  void add_places_before(size_t query);
+  bool is_known_already(const Proved& p) const;
   std::vector<Proved> prove(size_t query, const std::vector<int>& views, const Known& known);
   bool is_on_path(const Proved& p) const;
   bool agree(const Proved& a, const Proved& b, const Known& known) const;
@@ -92,7 +96,8 @@ class PlaceMemory {
   const PlaceParams params_;
   const std::shared_ptr<const PlaceStore> kept_store_;
   PlaceStore store_;
-  std::vector<int> first_of_epoch_{0};  // id of the first keyframe of each epoch
+  std::set<int> first_of_epoch_{0};  // ids of the first keyframes
+  std::deque<size_t> waiting_;       // positions of those that are not far enough back yet to be places
   Known own_, kept_;
   PlaceCounts counts_;
   bool looks_up_ = true;

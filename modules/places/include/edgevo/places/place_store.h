@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "edgevo/alignment/reference_cloud.h"
@@ -40,6 +41,8 @@ class PlaceStore {
   /// Pinhole of the rectified images.
   const Pinhole& pinhole() const { return pinhole_; }
 
+  /// Numbers the epochs anew, by the ids of their first keyframes.
+  void number_epochs(const std::set<int>& first_keyframes);
   /// Moves the keyframes that the move names.
   void move(const Rectification& rectification, const MapMoved& moved);
 

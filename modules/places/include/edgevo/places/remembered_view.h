@@ -6,19 +6,21 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <opencv2/core.hpp>
 #include <vector>
 
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo {
 
+/// 256 bits: an upright ORB descriptor.
+using CornerDescriptor = std::array<uint8_t, 32>;
+
 /// Corners with upright ORB descriptors: a vehicle or a robot sees a place with the same side up.
 struct ViewCorners {
   /// Where they are, pixels of the rectified image.
   std::vector<Eigen::Vector2f> px;
-  /// A row of 32 bytes for each.
-  cv::Mat descriptors;
+  /// One for each.
+  std::vector<CornerDescriptor> descriptors;
 };
 
 /// The edges of a level in 5 bytes a pixel: positions to 1/16 pixel, normals to 1.4 degrees.
