@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <utility>
 
 #include "edgevo/core/angle.h"
@@ -53,33 +53,48 @@ Constraint neighbours(const KeyframeInMap& a, const KeyframeInMap& b, const RunS
 
 bool is_in_kept_map(const Constraint& c) { return c.from == NodeId::world(); }
 
-// From the world of the run to that of a kept map, a guess: of those that the keyframes found there state,
-// the one that explains the places of all of them best, as a median does.
-Sim3 into_kept_map(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
-                   const PlacedEpochs& placed) {
-  constexpr size_t kMaxCompared = 50;
-  std::vector<std::pair<Sim3, Eigen::Vector3d>>
-      found;  // T_world_cam in the kept map, and the place in the run's
-  std::vector<Sim3> stated;
+// A keyframe that was found in a kept map.
+struct FoundKeyframe {
+  int id = 0;
+  Sim3 T_kept_run;                  // what it states
+  Eigen::Vector3d in_kept, in_run;  // where its camera lies
+};
+
+std::vector<FoundKeyframe> found_in_kept_map(const std::map<int, Constraint>& constraints,
+                                             const std::vector<KeyframeInMap>& keyframes,
+                                             const PlacedEpochs& placed) {
+  std::vector<FoundKeyframe> found;
   for (const auto& [id, c] : constraints) {
     if (!is_in_kept_map(c) || placed.is_unused(id)) continue;
-    const auto k = std::find_if(keyframes.begin(), keyframes.end(),
-                                [&](const KeyframeInMap& known) { return node(known.id) == c.to; });
-    if (k == keyframes.end()) continue;
+    const auto k = std::lower_bound(keyframes.begin(), keyframes.end(), c.to.number(),
+                                    [](const KeyframeInMap& known, int number) { return known.id < number; });
+    if (k == keyframes.end() || k->id != c.to.number()) continue;
     const Sim3 T_run_cam = T_world_cam(*k, placed);
-    found.emplace_back(c.T_from_to, T_run_cam.rigid.translation());
-    stated.push_back(c.T_from_to * T_run_cam.inverse());
+    found.push_back({k->id, c.T_from_to * T_run_cam.inverse(), c.T_from_to.rigid.translation(),
+                     T_run_cam.rigid.translation()});
   }
-  Sim3 best;
-  double least = std::numeric_limits<double>::infinity();
-  const size_t step = 1 + found.size() / kMaxCompared;
-  for (size_t i = 0; i < stated.size(); i += step) {
-    double off = 0;
-    for (size_t j = 0; j < found.size(); j += step)
-      off += (stated[i] * found[j].second - found[j].first.rigid.translation()).norm();
-    if (off < least) least = off, best = stated[i];
-  }
-  return best;
+  std::stable_sort(found.begin(), found.end(),
+                   [](const FoundKeyframe& a, const FoundKeyframe& b) { return a.id < b.id; });
+  return found;
+}
+
+// From the world of the run to that of a kept map, a guess by the keyframe found nearest on the path: of
+// those next to it the one that explains the places of all of them best, as a median does.
+Sim3 into_kept_map(const std::vector<FoundKeyframe>& found, int id) {
+  constexpr std::ptrdiff_t kNext = 2;
+  if (found.empty()) return {};
+  auto at = std::lower_bound(found.begin(), found.end(), id,
+                             [](const FoundKeyframe& f, int number) { return f.id < number; });
+  if (at == found.end() || (at != found.begin() && id - std::prev(at)->id < at->id - id)) --at;
+  const auto begin = at - std::min(kNext, at - found.begin()),
+             end = at + std::min(kNext + 1, found.end() - at);
+  const auto off = [&](const FoundKeyframe& f) {
+    double sum = 0;
+    for (auto g = begin; g != end; ++g) sum += (f.T_kept_run * g->in_run - g->in_kept).norm();
+    return sum;
+  };
+  return std::min_element(begin, end, [&](const auto& f, const auto& g) { return off(f) < off(g); })
+      ->T_kept_run;
 }
 
 // One that can be mistaken, unless it says how it may fail.
@@ -105,8 +120,9 @@ void move_epochs_after(const KeyframeInMap& newest, const Sim3& T_after_before, 
 bool place(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
            const RunSoFar& run, PlacedEpochs* placed) {
   MapGraph graph;
-  const Sim3 T_kept_world = into_kept_map(constraints, keyframes, *placed);
-  for (const KeyframeInMap& k : keyframes) graph.add_node(node(k.id), T_kept_world * T_world_cam(k, *placed));
+  const std::vector<FoundKeyframe> found_keyframes = found_in_kept_map(constraints, keyframes, *placed);
+  for (const KeyframeInMap& k : keyframes)
+    graph.add_node(node(k.id), into_kept_map(found_keyframes, k.id) * T_world_cam(k, *placed));
   for (size_t i = 1; i < keyframes.size(); ++i)
     graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
   std::map<int, int> id_of;  // by number in the graph

@@ -46,11 +46,22 @@ class Round {
     c.covariance.diagonal() << 1e-2, 1e-2, 1e-2, 1e-4, 1e-4, 1e-4, 4e-4;
     return added;
   }
-  PlacedEpochs place(const std::vector<ConstraintAdded>& found) const {
+  PlacedEpochs place(const std::vector<ConstraintAdded>& found, int later_epoch_first = -1) const {
     Epochs epochs;
     epochs.begin_segment({}, {});
+    if (later_epoch_first > 0) epochs.begin_epoch({0, kRound - 1, later_epoch_first});
     for (const ConstraintAdded& c : found) epochs.add(c);
     return epochs.solve_keyframes(run(), keyframes_);
+  }
+  // Where a keyframe lies in a map that was kept, at T_kept_world to the world of the truth.
+  ConstraintAdded found_in_map(int id, int keyframe, const Sim3& T_kept_world) const {
+    ConstraintAdded added = seen_again(id, keyframe, keyframe);
+    added.constraint.from = NodeId::world();
+    added.constraint.T_from_to =
+        T_kept_world * Sim3{1, truth_[size_t(keyframe)]} * Sim3{1 / unit(keyframe), SE3()};
+    const Matrix7d A = Sim3{1, added.constraint.T_from_to.rigid}.adjoint();
+    added.constraint.covariance = A * added.constraint.covariance * A.transpose();
+    return added;
   }
   double largest_error(const PlacedEpochs& placed) const {
     double largest = 0;
@@ -89,6 +100,45 @@ TEST(KeyframeGraph, APlaceThatIsMistakenIsNamed) {
                    round.seen_again(2, 1, kRound - 2)});
   EXPECT_EQ(placed.unused, (std::vector<int>{1}));
   EXPECT_LT(round.largest_error(placed), 2);
+}
+
+TEST(KeyframeGraph, AKeptMapGivesItsFrameAndUnit) {
+  const Round round;
+  const Sim3 T_kept_world{
+      2.5, SE3(Eigen::Quaterniond(Eigen::AngleAxisd(1, Eigen::Vector3d::UnitY())), {7, 1, -3})};
+  std::vector<ConstraintAdded> found;
+  for (const int keyframe : {20, 21, 22, 100, 101, 102, 180, 181, 182})
+    found.push_back(round.found_in_map(keyframe, keyframe, T_kept_world));
+  PlacedEpochs placed = round.place(found);
+  EXPECT_TRUE(placed.unused.empty());
+  for (auto& [id, T] : placed.own) T = T_kept_world.inverse() * T;
+  EXPECT_LT(round.largest_error(placed), 1);
+}
+
+TEST(KeyframeGraph, AKeptMapThatIsContradictedGivesNothing) {
+  const Round round;
+  const Sim3 far{3, SE3(Eigen::Quaterniond::Identity(), {500, 0, 0})};
+  // Each of the three says something else.
+  const std::vector<ConstraintAdded> found = {
+      round.found_in_map(0, 20, far),
+      round.found_in_map(1, 21, far * Sim3{0.2, SE3(Eigen::Quaterniond::Identity(), {900, 0, 0})}),
+      round.found_in_map(2, 22, far * Sim3{4, SE3(Eigen::Quaterniond::Identity(), {0, 0, 900})})};
+  const PlacedEpochs placed = round.place(found);
+  if (placed.unused.size() == found.size()) {
+    EXPECT_NEAR(placed.T_world_map(0, 0).scale, 1, 1e-6);
+  }
+  EXPECT_GE(placed.unused.size(), 2U);
+}
+
+// It has no keyframe of its own yet that has left the window.
+TEST(KeyframeGraph, AnEpochThatHasJustBegunMovesWithTheNewestKeyframe) {
+  const Round round;
+  const PlacedEpochs placed = round.place({round.seen_again(0, 2, kRound - 1)}, kRound + 3);
+  ASSERT_EQ(placed.epochs.size(), 2U);
+  const Sim3& newest = placed.T_world_map(0, kRound - 1);
+  const Sim3& after = placed.T_world_map(0, kRound + 5);
+  EXPECT_NEAR(after.scale, newest.scale, 1e-9);
+  EXPECT_LT((after.rigid.translation() - newest.rigid.translation()).norm(), 1e-6);
 }
 
 // Two exact scales that contradict each other are two measurements, not an error.

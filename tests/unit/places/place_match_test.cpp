@@ -10,13 +10,9 @@ namespace edgevo {
 namespace {
 
 using test::RenderedView;
+using test::street;
 using test::ViewRenderer;
 using ::testing::Lt;
-
-const ViewRenderer& street() {
-  static const ViewRenderer renderer("street", 4);
-  return renderer;
-}
 
 // Squared error of the match, normalised by its covariance: seven directions.
 double normalised_error(const PlaceMatch& match, const RenderedView& a, double unit_a, const RenderedView& b,

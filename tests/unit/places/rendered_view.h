@@ -2,10 +2,12 @@
 #pragma once
 // Views of rendered scenes with maps of exact depth, in a unit of their own.
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "edgevo/core/random.h"
+#include "edgevo/core/records.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/places/place_match.h"
@@ -31,6 +33,28 @@ class ViewRenderer {
   ViewRenderer(const std::string& scene, uint64_t seed) : renderer_(load_scene(scene, seed)) {}
 
   Pinhole pinhole() const { return renderer_.undistorted(); }
+
+  SE3 T_world_cam(int frame) const { return renderer_.T_world_cam(frame); }
+  std::shared_ptr<const FramePyramid> pyramid(int frame) const {
+    PyramidBuilder builder(Rectification(renderer_.camera()), EdgeParams());
+    return builder.build(renderer_.render_image(frame));
+  }
+  /// Edge points with depths in metres, as many as a keyframe hosts.
+  std::vector<EdgePoint> edge_points(const FramePyramid& pyramid, int frame) const {
+    RenderedFrame rendered;
+    rendered.depth = renderer_.render_depth(frame);
+    std::vector<EdgePoint> points;
+    const std::vector<CloudPoint> all = points_of(pyramid, rendered, 1, uint64_t(frame));
+    for (size_t i = size_t(frame) % 8; i < all.size(); i += 8) {
+      const CloudPoint& p = all[i];
+      EdgePoint point;
+      point.px = p.px, point.normal = p.normal;
+      point.idepth = float(p.idepth), point.idepth_sigma = float(p.idepth_sigma);
+      point.observations = 5;
+      points.push_back(point);
+    }
+    return points;
+  }
 
   /// A frame under changed light ("": as rendered). Lengths of its map are `unit` times those in metres, its
   /// depths off by 2 %.
@@ -83,5 +107,11 @@ class ViewRenderer {
 
   SceneRenderer renderer_;
 };
+
+/// A street.
+inline const ViewRenderer& street() {
+  static const ViewRenderer renderer("street", 4);
+  return renderer;
+}
 
 }  // namespace edgevo::test
