@@ -6,7 +6,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "edgevo/core/random.h"
-#include "opencv_pose.h"
+#include "edgevo/opencv_bridge/opencv_pose.h"
 #include "support/twist.h"
 
 namespace edgevo {
