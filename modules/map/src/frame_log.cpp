@@ -15,7 +15,7 @@ FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> l
       history_(history),
       cursor_(log_),
       run_(rectification),
-      placer_(WorkerOptions{"map graph", 1, own_thread, true, true}) {
+      placer_(std::make_unique<Worker>(WorkerOptions{"map graph", 1, own_thread, true, true})) {
   newest_.frame.index = -1;
 }
 
@@ -146,7 +146,7 @@ void FrameLog::follow_findings(int segment) {
     has_found_more_ = false;
     places_found_ = 0;
     if (!knows_places_) return announce(run_.place_epochs(), segment);
-    placing_ = placer_.begin(run_.keyframes_to_place());
+    placing_ = placer_->begin(run_.keyframes_to_place());
   }
   if (!placing_ || placing_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   PlacedEpochs placed = placing_->get();

@@ -109,7 +109,7 @@ class FrameLog {
   size_t keyframes_at_place_ = 0;  // when the newest of them was found
   bool knows_places_ = false;
   std::optional<std::future<PlacedEpochs>> placing_;
-  Worker placer_;
+  std::unique_ptr<Worker> placer_;
   WorldOfOdometry world_;
 };
 
