@@ -12,9 +12,13 @@ namespace edgevo {
 /// Standard deviation of the logarithm of the unit, from one keyframe to the next, a random walk: 1 to 2 %
 /// over forty metres of drives with a keyframe a metre.
 inline constexpr double kUnitDrift = 0.002;
-/// Of a step from keyframe to keyframe, beyond what the adjustment knows, the errors that steps have in
-/// common: a share of its length, and at least so many median depths of a first map, and radians.
-inline constexpr double kStepShare = 0.01, kLeastStep = 0.002, kStepRotation = rad(0.1);
+/// Of the translation of a step from keyframe to keyframe, beyond what the adjustment knows: a share of its
+/// length.
+inline constexpr double kStepShare = 0.01;
+/// The least of it, in the unit of the map.
+inline constexpr double kLeastStep = 0.002;
+/// The same of its rotation, radians.
+inline constexpr double kStepRotation = rad(0.1);
 
 /// Covariance of xi in T_a_b <- exp(xi) T_a_b, for the motion between keyframes that follow one another.
 /// `adjusted`: the covariance that the adjustment of the window left, if known.

@@ -8,10 +8,12 @@
 
 namespace edgevo {
 
+/// The matrix K of a pinhole.
 inline cv::Mat camera_matrix(const Pinhole& p) {
   return (cv::Mat_<double>(3, 3) << p.fx, 0, p.cx, 0, p.fy, p.cy, 0, 0, 1);
 }
 
+/// A vector of three rows.
 inline Eigen::Vector3d to_vector(const cv::Mat& t) {
   return {t.at<double>(0), t.at<double>(1), t.at<double>(2)};
 }

@@ -31,8 +31,10 @@ struct PlaceEvidence {
   int pairs = 0, agreeing = 0;
   /// Decimal logarithm of the expected number of poses that so many corners agree with by chance.
   double corners_log_alarms = 0;
-  /// Share of the edges that agree, in each direction, and that of the same edges displaced.
-  double share[2] = {0, 0}, chance[2] = {0, 0};
+  /// Share of the edges that agree, in each direction.
+  double share[2] = {0, 0};
+  /// Share that agrees by chance: of the same edges displaced.
+  double chance[2] = {0, 0};
   /// As corners_log_alarms, of the edges; the larger one of the two directions.
   double edges_log_alarms = 0;
 };
