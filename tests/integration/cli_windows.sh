@@ -46,8 +46,8 @@ if [ -n "$laid_out_as_known" ]; then
   eventually is_gone 'Tip of the Day' || fail "the tip of the day stays"
   eventually is_wide "$main" || fail "RawLogViewer keeps its size"
   eventually stands_still rawlogviewer_overview || fail "RawLogViewer never comes to rest"
-  # The tree on the left: comment, image 0, live pose, pose, odometry, points, image 1, ...
-  click 120 227
+  # The tree on the left: image 0, live pose, pose, odometry, points, image 1, ...
+  click 120 208
   # Its panel shows the second image of the street, scaled to the width.
   likeness() {
     convert-im6.q16 "playback_Images/frame_00000$1.png" -resize '865x262!' -colorspace Gray wanted.png
@@ -61,7 +61,7 @@ if [ -n "$laid_out_as_known" ]; then
   eventually shows_the_image
   below "1 - correlation of the image in RawLogViewer with the frame's" "$(awk -v c="$(likeness 1)" 'BEGIN { print 1 - c }')" 0.1
   below "lower correlation with the next frame" "$(likeness 2)" "$(likeness 1)"
-  click 120 209
+  click 120 191
   eventually shows_colours rawlogviewer_points 860x280+405+540 200
   check "points in its 3D view" "$(coloured rawlogviewer_points.png 860x280+405+540)" -ge 200
   click 225 60
