@@ -44,6 +44,19 @@ run_code 0 "$edgevo" info killed/map.db
 check "state once finished" "$([ "$(value state)" = finished ] && echo 1)" -eq 1
 check "files of the map" "$(ls killed | grep -c '^map.db')" -eq 1
 
+# A run in the map of another one: its frame and unit, and the file as it was.
+before=$(state_of metres)
+run_code 0 "$edgevo" run "$sequence" -o placed --frames 0:60 --seed 2 --map metres
+check "found in the map" "$(grep -c 'keyframes found in metres/map.db.*metres' stdout)" -eq 1
+check "places in the map" "$(grep -c '^place,,,-1,' placed/graph.csv)" -ge 3
+[ "$(state_of metres)" = "$before" ] && ok "the map is as it was" || fail "the map changed"
+# awk: largest distance of the poses of both, of a path of 44 m.
+check "frame and unit of the map" "$(paste -d ' ' metres/trajectory_tum.txt placed/trajectory_tum.txt | grep -v '#' | awk '{ d = sqrt(($2 - $10)^2 + ($3 - $11)^2 + ($4 - $12)^2); if (d > most) most = d } END { print NR == 50 && most < 0.1 }')" -eq 1
+complains "omit --scale" "$edgevo" run "$sequence" -o refused --scale factor=3 --map metres
+complains "with --forget" "$edgevo" run "$sequence" -o refused --forget --map metres
+complains "map.db" "$edgevo" run "$sequence" -o refused --map nowhere
+[ ! -e refused ] && ok "nothing is written" || fail "a refused run wrote"
+
 head -c 30000 "$whole/map.db" >cut.db
 run_code 0 "$edgevo" info cut.db
 check "a warning about the rest" "$(grep -c 'damaged or cut off' stderr)" -eq 1

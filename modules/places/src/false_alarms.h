@@ -4,6 +4,9 @@
 
 namespace edgevo {
 
+/// Proved is what happens by chance once in a million pairs of views.
+inline constexpr double kLogProof = -6;
+
 /// Of poses by three of `pairs` pairs of corners that `agreeing` of them, the three included, agree with,
 /// where one agrees by chance with the probability `chance`: (n - 3) C(n, k) C(k, 3) chance^(k - 3).
 double log_alarms_of_corners(int pairs, int agreeing, double chance);

@@ -15,8 +15,6 @@
 namespace edgevo {
 namespace {
 
-// Proved is what happens by chance once in a million pairs of views.
-constexpr double kLogProof = -6;
 // Turns of the camera that displace all edges, in pixels of the level: beyond what an edge agrees within, and
 // within the view.
 constexpr double kDisplacedPx[] = {8, 14, 22};

@@ -14,7 +14,7 @@ namespace {
 // 400 corners over the view, the strongest two of each cell: crowded ones show one thing.
 constexpr int kCellsAcross = 20, kCellsDown = 10, kInCell = 2;
 // Found at first: dark views have weak corners, which the cells choose among.
-constexpr int kFound = 4000, kFastThreshold = 5;
+constexpr int kFound = 1500, kFastThreshold = 5;
 constexpr int kPyramidLevels = 4;
 // Radius of the nearest-neighbour field, pixels of the level: what a pose by corners is off by.
 constexpr int kFieldRadius = 12;

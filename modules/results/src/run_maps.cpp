@@ -10,7 +10,7 @@ namespace edgevo {
 
 double camera_height_of(const Run& run, const GridParams& params) {
   if (const double given = params.given_camera_height(); given > 0) return given;
-  if (const auto height = parse_scale_sources(run.scale_source).camera_height()) return *height;
+  if (const auto height = recorded_scale_sources(run.scale_source).camera_height()) return *height;
   if (const auto seen = seen_camera_height(run, ScaleParams())) return *seen;
   if (run.is_metric() && run.T_vehicle_cam && run.T_vehicle_cam->translation().z() > 0)
     return run.T_vehicle_cam->translation().z();

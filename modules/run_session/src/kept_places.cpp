@@ -10,6 +10,7 @@
 #include "edgevo/kept_map/kept_map.h"
 #include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/scale/given_scale.h"
+#include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
 namespace {
@@ -40,7 +41,7 @@ bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }
 
 void KeptPlaces::give_unit(Run* run) const {
   if (!is_metric_ || !is_found(*run)) return;
-  scale_run(1, "kept map", run);
+  scale_run(1, kKeptMapScale, run);
   run->scale.sigma = scale_sigma_;
 }
 

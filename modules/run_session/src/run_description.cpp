@@ -44,7 +44,7 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info) {
 }
 
 std::string statement_of(const PlaceCounts& places) {
-  if (places.stated + places.beyond_drift + places.ambiguous == 0) return "";
+  if (places.stated + places.beyond_drift + places.ambiguous + places.skipped == 0) return "";
   std::string text = std::to_string(places.stated) + " keyframes at places seen before, of " +
                      std::to_string(places.queries) + " looked up";
   if (places.beyond_drift > 0)

@@ -95,6 +95,9 @@ RunSession::RunSession(const RunRequest& request, const RunHost& host)
 
 void RunSession::read_kept_map() {
   if (request_.map.empty()) return;
+  if (request_.outputs.forget)
+    throw InputError("--map " + request_.map, "places are not looked for with --forget",
+                     "omit one of the two");
   kept_map_.emplace(request_.map, request_.scale, rectification_of(source_->camera(), odometry_).target());
   for (const std::string& line : kept_map_->warnings()) warn("edgevo: " + line);
 }

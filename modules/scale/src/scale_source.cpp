@@ -119,4 +119,9 @@ ScaleSources parse_scale_sources(const std::string& option) {
   return sources;
 }
 
+ScaleSources recorded_scale_sources(const std::string& scale_source) {
+  if (scale_source == kKeptMapScale) return ScaleSource{Kind::kKeptMap, 0, scale_source};
+  return parse_scale_sources(scale_source);
+}
+
 }  // namespace edgevo

@@ -31,6 +31,8 @@ std::string how_it_was_found(const ScaleSource& source) {
       return "The path was compared with GPS.";
     case ScaleSource::Kind::kRobotPose:
       return "The path was compared with the recorded poses of the robot.";
+    case ScaleSource::Kind::kKeptMap:
+      return "The run was found in a map in metres, given with --map.";
   }
   return "";
 }
@@ -115,7 +117,7 @@ std::string lens_text(const CameraRefinement& camera) {
 std::string scale_section(const Run& run) {
   std::string body = "<p>Unit: <b>" + html_escaped(unit_statement(run)) + "</b>. Source of scale: <b>" +
                      html_escaped(run.scale_source) + "</b>. " +
-                     html_escaped(how_it_was_found(parse_scale_sources(run.scale_source)) +
+                     html_escaped(how_it_was_found(recorded_scale_sources(run.scale_source)) +
                                   (run.is_metric() ? estimate_text(run) : "")) +
                      "</p>\n";
   for (const ScaleFault& fault : run.scale.faults)

@@ -50,7 +50,7 @@ struct PlaceMatch {
 };
 
 /// Recognises one place in two views; nothing if it is not proved. `evidence`, if not null, is what was found
-/// all the same. Deterministic. Cost: 0.5 ms for views that have no corners in common, 20 ms with proof.
+/// all the same. Deterministic. Cost: 3 ms for views of different places, 15 ms with proof.
 std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
                                       PlaceEvidence* evidence = nullptr);
 

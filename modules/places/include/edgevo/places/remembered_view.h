@@ -65,7 +65,7 @@ struct RememberedView {
   ViewLight light = {};
 };
 
-/// Remembers a view. Without corners and edges on parts that are fixed to the camera. Cost: some 8 ms at
+/// Remembers a view. Without corners and edges on parts that are fixed to the camera. Cost: some 10 ms at
 /// 1241x376.
 RememberedView remember_view(const FramePyramid& pyramid);
 

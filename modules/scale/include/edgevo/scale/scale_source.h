@@ -12,8 +12,8 @@ namespace edgevo {
 
 /// What determines the length of a unit of the run.
 struct ScaleSource {
-  /// Kind of source; kNone leaves the unit arbitrary.
-  enum class Kind { kNone, kFactor, kOdometry, kGps, kRobotPose, kCameraHeight };
+  /// Kind of source; kNone leaves the unit arbitrary, kKeptMap is that of a map given with --map.
+  enum class Kind { kNone, kFactor, kOdometry, kGps, kRobotPose, kCameraHeight, kKeptMap };
   /// Kind of this source.
   Kind kind = Kind::kNone;
   /// Metres per unit (factor) or metres over the ground (camera_height); else 0.
@@ -48,5 +48,11 @@ struct ScaleSources {
 /// camera_height=1.65, separated by commas. Throws InputError for anything else, which says what is wrong,
 /// the nearest name, and what to give.
 ScaleSources parse_scale_sources(const std::string& option);
+
+/// What Run::scale_source says of a run whose metres are those of the map it was found in; no option.
+inline constexpr const char* kKeptMapScale = "kept map";
+
+/// The sources that Run::scale_source names: what --scale takes, or kKeptMapScale.
+ScaleSources recorded_scale_sources(const std::string& scale_source);
 
 }  // namespace edgevo
