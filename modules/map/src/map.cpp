@@ -63,7 +63,7 @@ const Keyframe& Map::marginalise_oldest(std::vector<NeighbourPose> neighbours) {
 void Map::announce_window() {
   auto keyframes = std::make_shared<std::vector<WindowAdjusted::Active>>();
   keyframes->reserve(active_.size());
-  for (const Keyframe& k : active_) keyframes->push_back({k.id, make_record(k, segment_)});
+  for (const Keyframe& k : active_) keyframes->push_back({k.id, make_record(k, segment_), k.pyramid});
   log_->append(WindowAdjusted{moves_, std::move(keyframes)});
 }
 

@@ -120,7 +120,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
 }
 
 void Odometry::Impl::require_open(const std::string& where) const {
-  if (is_finished) throw std::logic_error(where + ": finish() has ended the run; make a new Odometry");
+  if (is_closed) throw std::logic_error(where + ": the run has ended; make a new Odometry");
 }
 
 void Odometry::Impl::change_reference(const Frame& frame) {
@@ -312,13 +312,19 @@ void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.covariance = record.covariance;
 }
 
-Run Odometry::Impl::finish() {
-  require_open("Odometry::finish()");
-  is_finished = true;
+void Odometry::Impl::close() {
+  require_open("Odometry::close()");
+  is_closed = true;
   publish_camera();
   if (concurrent) replay_at_end();
-  const RealtimeRecord skipped_work = map.finish();
+  skipped_work = map.finish();
   front_end.drop_map();
+}
+
+Run Odometry::Impl::finish() {
+  if (is_finished) throw std::logic_error("Odometry::finish(): the run has ended; make a new Odometry");
+  is_finished = true;
+  if (!is_closed) close();
   Run run = frames.run().finish();
   if (options.realtime) run.realtime = skipped_work;
   return run;
@@ -352,6 +358,7 @@ std::shared_ptr<const Plane<uint8_t>> Odometry::ego_mask() const {
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
 FrameRecord Odometry::skip(const Frame& frame, const std::string& why) { return impl_->skip(frame, why); }
 void Odometry::shed(Shedding shedding) { impl_->map.shed(shedding); }
+void Odometry::close() { impl_->close(); }
 Run Odometry::finish() { return impl_->finish(); }
 
 }  // namespace edgevo

@@ -90,6 +90,7 @@ struct Odometry::Impl {
   void publish_camera();
   void act(const Frame& frame, Action action, const std::string& reason = {});
   void record_newest_pose(const FrameRecord& record);
+  void close();
   Run finish();
   FrameView frame_view() const;
   void report(const Frame& frame, const std::string& what) const;
@@ -120,7 +121,8 @@ struct Odometry::Impl {
   bool camera_published = false;
   bool frame_published = false;   // the record of the newest frame as it is now
   bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
-  bool is_finished = false;
+  bool is_closed = false, is_finished = false;
+  RealtimeRecord skipped_work;  // once it is closed
 };
 
 }  // namespace edgevo

@@ -100,11 +100,11 @@ std::vector<double> PlaceIndex::votes_by_signature(const RememberedView& query) 
   return votes;
 }
 
-std::vector<int> PlaceIndex::candidates(const RememberedView& query, size_t count) {
+std::vector<int> PlaceIndex::candidates(const RememberedView& query, size_t count, PlaceVotes* row) const {
   if (size() == 0) return {};
-  by_corners_ = carried_on(by_corners_, votes_by_corners(query));
-  by_signature_ = carried_on(by_signature_, votes_by_signature(query));
-  const std::vector<int> a = ranks_of(by_corners_), b = ranks_of(by_signature_);
+  row->by_corners = carried_on(row->by_corners, votes_by_corners(query));
+  row->by_signature = carried_on(row->by_signature, votes_by_signature(query));
+  const std::vector<int> a = ranks_of(row->by_corners), b = ranks_of(row->by_signature);
   std::vector<int> order(size(), 0);
   std::iota(order.begin(), order.end(), 0);
   // The better voter counts most: they fail differently.

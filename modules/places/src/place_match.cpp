@@ -132,6 +132,13 @@ ReferenceCloud cloud_of(const PlaceView& v) {
   return cloud;
 }
 
+// Corners and edges fail differently: that both agree by chance is the product of what each says. Edges that
+// agree hardly more than by chance do not confirm the pose.
+bool is_proved(double corners_log_alarms, double edges_log_alarms) {
+  constexpr double kLogConfirmed = -1;  // one of ten poses by chance
+  return edges_log_alarms < kLogConfirmed && corners_log_alarms + edges_log_alarms < 2 * kLogProof;
+}
+
 // What the two directions differ by is an error of one of them.
 Matrix7d covariance_of(const AlignedEdges& there, const SE3& T_b_a_by_return, const UnitRatio& ratio) {
   const Vector6d differing = (there.T_to_from * T_b_a_by_return.inverse()).log();
@@ -161,7 +168,8 @@ std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a
   if (!corners || evidence->corners_log_alarms > kLogProof) return std::nullopt;
   const AlignedEdges there = align_with(unpack(b.view.edges), cloud_of(a), corners->T_b_a);
   note(there, 0, evidence);
-  if (there.log_alarms > kLogProof || !measures_all(there.covariance, median_depth(a.points)))
+  if (!is_proved(evidence->corners_log_alarms, there.log_alarms) ||
+      !measures_all(there.covariance, median_depth(a.points)))
     return std::nullopt;
   const std::optional<UnitRatio> ratio = compare_depths(pinhole, a.points, there.T_to_from, b.points);
   if (!ratio) return std::nullopt;
@@ -169,7 +177,7 @@ std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a
   const SE3 back_start(T_a_b.rigid.rotation(), T_a_b.rigid.translation() / T_a_b.scale);
   const AlignedEdges back = align_with(unpack(a.view.edges), cloud_of(b), back_start);
   note(back, 1, evidence);
-  if (back.log_alarms > kLogProof) return std::nullopt;
+  if (!is_proved(evidence->corners_log_alarms, back.log_alarms)) return std::nullopt;
   const SE3 T_b_a_by_return =
       SE3(back.T_to_from.rotation(), T_a_b.scale * back.T_to_from.translation()).inverse();
   PlaceMatch match{T_a_b, covariance_of(there, T_b_a_by_return, *ratio), *evidence};

@@ -42,9 +42,11 @@ PlaceMemory::PlaceMemory(const Rectification& rectification, std::shared_ptr<Map
       log_(std::move(log)),
       params_(params),
       kept_store_(std::move(kept)),
-      store_(rectification.target()) {
+      store_(rectification.target()),
+      young_(rectification.target()) {
   own_.store = &store_;
   kept_.store = kept_store_.get();
+  for (Known* known : {&own_, &kept_}) known->finished.store = &store_, known->young.store = &young_;
   for (size_t i = 0; kept_store_ && i < kept_store_->size(); ++i) kept_.add(kept_store_->keyframes()[i], i);
 }
 
@@ -52,8 +54,13 @@ void PlaceMemory::apply(const MapEvent& event) {
   std::visit([this](const auto& e) { handle(e); }, event);
 }
 
-void PlaceMemory::handle(const SegmentPlaced&) {
+// All of the run so far is of other epochs.
+void PlaceMemory::handle(const SegmentPlaced& e) {
   if (store_.size() > 0) first_of_epoch_.insert(store_.keyframes().back().id + 1);
+  for (; !waiting_.empty(); waiting_.pop_front())
+    own_.add(store_.keyframes()[waiting_.front()], waiting_.front());
+  young_segment_ = e.segment;
+  begin_young();
 }
 
 // It can be announced when keyframes of it, or of the next segment, have been stored. Those in the doubt
@@ -79,6 +86,43 @@ void PlaceMemory::handle(const KeyframeMarginalised& e) {
     ++counts_.skipped;
 }
 
+// ---- keyframes in the window ----
+
+void PlaceMemory::begin_young() {
+  young_ = PlaceStore(rectification_.target());
+  for (Known* known : {&own_, &kept_}) {
+    known->young = {&young_, {}, {}, {}};
+    known->is_sought = known->index.size() > 0;
+  }
+}
+
+void PlaceMemory::handle(const WindowAdjusted& e) {
+  if (!looks_up_ || !e.keyframes || !(own_.is_sought || kept_.is_sought)) return;
+  const size_t first_new = young_.size();
+  for (const WindowAdjusted::Active& k : *e.keyframes) take_young(k);
+  for (size_t query = first_new; query < young_.size(); ++query)
+    for (Known* known : {&own_, &kept_})
+      if (known->is_sought && young_.keyframes()[query].view) look_up(query, known, &known->young);
+}
+
+void PlaceMemory::take_young(const WindowAdjusted::Active& active) {
+  const std::vector<StoredKeyframe>& all = young_.keyframes();
+  const auto same =
+      std::find_if(all.begin(), all.end(), [&](const StoredKeyframe& k) { return k.id == active.id; });
+  if (same != all.end()) return young_.update(size_t(same - all.begin()), active.keyframe);
+  StoredKeyframe k{active.id, 0, std::make_shared<const KeyframeRecord>(active.keyframe), nullptr, {}};
+  if (active.pyramid && !active.keyframe.is_doubtful)
+    k.view = std::make_shared<const RememberedView>(remember_view(*active.pyramid));
+  young_.add(std::move(k));
+}
+
+// ---- keyframes that have left it ----
+
+void PlaceMemory::finish() {
+  const size_t waiting = std::min(store_.size(), PlaceStore::kAround);
+  for (size_t query = store_.size() - waiting; looks_up_ && query < store_.size(); ++query) look_up(query);
+}
+
 void PlaceMemory::handle(const MapMoved& e) {
   store_.move(rectification_, e);
   if (!e.lens) return;
@@ -99,27 +143,28 @@ void PlaceMemory::look_up(size_t query) {
   add_places_before(query);
   if (!store_.keyframes()[query].view) return;
   ++counts_.queries;
-  look_up(query, &own_);
-  if (kept_.store) look_up(query, &kept_);
+  look_up(query, &own_, &own_.finished);
+  if (kept_.store) look_up(query, &kept_, &kept_.finished);
 }
 
 // States the place of the newest keyframe that is proved best, and those of keyframes before it that agree.
-void PlaceMemory::look_up(size_t query, Known* known) {
-  const std::vector<int> views = known->index.candidates(*store_.keyframes()[query].view, kCandidates);
+void PlaceMemory::look_up(size_t query, Known* known, Row* row) {
+  const std::vector<int> views =
+      known->index.candidates(*row->store->keyframes()[query].view, kCandidates, &row->votes);
   counts_.candidates += int(views.size());
-  known->recent.push_back(possible(prove(query, views, *known), *known));
-  if (known->recent.size() > kRecent) known->recent.pop_front();
-  std::vector<Proved>& newest = known->recent.back();
+  row->recent.push_back(possible(prove(query, views, *known, *row), *known, *row));
+  if (row->recent.size() > kRecent) row->recent.pop_front();
+  std::vector<Proved>& newest = row->recent.back();
   if (newest.empty()) return;
-  const std::vector<Proved*> agreeing = agreeing_with(&newest.front(), known);
+  const std::vector<Proved*> agreeing = agreeing_with(&newest.front(), *known, row);
   if (agreeing.size() >= kAgreeing)
-    for (Proved* p : agreeing) state(p, *known);
+    for (Proved* p : agreeing) state(p, known, row);
 }
 
 std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vector<int>& views,
-                                                    const Known& known) {
+                                                    const Known& known, const Row& row) {
   std::vector<Proved> proved;
-  const PlaceView b{*store_.keyframes()[query].view, store_.points_around(query)};
+  const PlaceView b{*row.store->keyframes()[query].view, row.store->points_around(query)};
   for (const int view : views) {
     const size_t place = known.keyframe_of[size_t(view)];
     const PlaceView a{*known.store->keyframes()[place].view, known.store->points_around(place)};
@@ -149,25 +194,30 @@ bool PlaceMemory::is_known_already(const Proved& p) const {
 }
 
 // Whether the way over place and query of one is that of the other: T_a_b of one, as the other has it.
-bool PlaceMemory::agree(const Proved& a, const Proved& b, const Known& known) const {
-  const PlaceStore& places = *known.store;
-  if (!places.is_one_unit(a.place, b.place) || !store_.is_one_unit(a.query, b.query)) return false;
-  const Sim3 to_place{1, places.T_a_b(a.place, b.place)}, from_query{1, store_.T_a_b(b.query, a.query)};
+bool PlaceMemory::agree(const Proved& a, const Proved& b, const Known& known, const Row& row) {
+  const PlaceStore &places = *known.store, &queries = *row.store;
+  if (!places.is_one_unit(a.place, b.place) || !queries.is_one_unit(a.query, b.query)) return false;
+  const Sim3 to_place{1, places.T_a_b(a.place, b.place)}, from_query{1, queries.T_a_b(b.query, a.query)};
   const Sim3 to_query_by_b = to_place * b.match.T_a_b;
   const Matrix7d covariance = a.match.covariance + places.path_covariance(a.place, b.place) +
                               moved(to_place, b.match.covariance) +
-                              moved(to_query_by_b, store_.path_covariance(b.query, a.query));
+                              moved(to_query_by_b, queries.path_covariance(b.query, a.query));
   return squared_distance(a.match.T_a_b, to_query_by_b * from_query, covariance) < kThreeSigmas;
 }
 
 // Those that the path allows; none if they are places apart, which look alike.
-std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found, const Known& known) {
-  const auto is_off = [&](const Proved& p) { return &known == &own_ && !is_on_path(p); };
+std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found, const Known& known,
+                                                       const Row& row) {
+  const auto is_off = [&](const Proved& p) {
+    if (&known != &own_) return false;
+    return &row == &known.young ? store_.keyframes()[p.place].record->segment == young_segment_
+                                : !is_on_path(p);
+  };
   const auto end = std::remove_if(found.begin(), found.end(), is_off);
   counts_.beyond_drift += int(found.end() - end);
   found.erase(end, found.end());
   const auto is_apart = [&](const Proved& p) {
-    return known.store->is_one_unit(found.front().place, p.place) && !agree(found.front(), p, known);
+    return known.store->is_one_unit(found.front().place, p.place) && !agree(found.front(), p, known, row);
   };
   if (found.empty() || std::none_of(found.begin() + 1, found.end(), is_apart)) return found;
   counts_.ambiguous += int(found.size());
@@ -175,21 +225,21 @@ std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found
 }
 
 // A place of the newest keyframe and those of keyframes before it, one of each, that agree with it.
-std::vector<PlaceMemory::Proved*> PlaceMemory::agreeing_with(Proved* newest, Known* known) const {
+std::vector<PlaceMemory::Proved*> PlaceMemory::agreeing_with(Proved* newest, const Known& known, Row* row) {
   std::vector<Proved*> agreeing{newest};
-  for (size_t i = 0; i + 1 < known->recent.size(); ++i) {
-    std::vector<Proved>& before = known->recent[i];
+  for (size_t i = 0; i + 1 < row->recent.size(); ++i) {
+    std::vector<Proved>& before = row->recent[i];
     const auto found = std::find_if(before.begin(), before.end(),
-                                    [&](const Proved& p) { return agree(p, *newest, *known); });
+                                    [&](const Proved& p) { return agree(p, *newest, known, *row); });
     if (found != before.end()) agreeing.push_back(&*found);
   }
   return agreeing;
 }
 
-Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known) const {
+Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known, const Row& row) const {
   Constraint c;
   c.kind = ConstraintKind::kPlace;
-  c.to = NodeId::keyframe(store_.keyframes()[p.query].id);
+  c.to = NodeId::keyframe(row.store->keyframes()[p.query].id);
   c.T_from_to = p.match.T_a_b;
   c.covariance = symmetric(p.match.covariance);
   if (&known == &own_) {
@@ -202,15 +252,27 @@ Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known) const
   return c;
 }
 
-void PlaceMemory::state(Proved* p, const Known& known) {
+void PlaceMemory::state(Proved* p, Known* known, Row* row) {
   if (p->is_stated) return;
   p->is_stated = true;
-  const Constraint constraint = constraint_of(*p, known);
+  const bool is_young = row == &known->young;
+  const Constraint constraint = constraint_of(*p, *known, *row);
   const bool is_sound = constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite() &&
                         Eigen::LLT<Matrix7d>(constraint.covariance).info() == Eigen::Success;
-  if (!is_sound || (&known == &own_ && is_known_already(*p))) return;
-  log_->add_constraint(constraint);
-  ++(&known == &own_ ? counts_.stated : counts_.in_kept_map);
+  if (!is_sound || (known == &own_ && !is_young && is_known_already(*p))) return;
+  if (row->store->keyframes()[p->query].record->segment == young_segment_) {
+    known->is_sought = false;
+    if (!is_young) withdraw(&known->young);
+  }
+  const int number = log_->add_constraint(constraint);
+  if (is_young) row->stated.push_back(number);
+  if (!is_young) ++(known == &own_ ? counts_.stated : counts_.in_kept_map);
+}
+
+// What keyframes in the window have said.
+void PlaceMemory::withdraw(Row* young) {
+  for (const int constraint : young->stated) log_->withdraw_constraint(constraint);
+  young->stated.clear();
 }
 
 }  // namespace edgevo

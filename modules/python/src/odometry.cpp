@@ -149,6 +149,7 @@ PyRun PyOdometry::finish() {
   auto contents = std::make_shared<RunContents>();
   {
     const py::gil_scoped_release released;
+    odometry_->close();
     past_->finish();
     contents->run = odometry_->finish();
     odometry_.reset();

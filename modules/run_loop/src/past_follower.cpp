@@ -44,7 +44,7 @@ struct PastFollower::Impl {
     std::vector<std::shared_ptr<const MapEvent>> events = place_events->read();
     ++waiting;
     worker.submit([this, events = std::move(events)] {
-      places->look_up_too(--waiting < kMaxWaiting && !has_ended);
+      places->look_up_too(--waiting < kMaxWaiting);
       for (const auto& event : events) places->apply(*event);
     });
   }
@@ -53,7 +53,6 @@ struct PastFollower::Impl {
   MapCursor ground_events;
   std::optional<PlaceMemory> places;
   std::optional<MapCursor> place_events;
-  bool has_ended = false;        // of the worker once it has
   std::atomic<int> waiting = 0;  // frames whose events are not taken yet
   Worker worker;                 // the last one: its work uses the others
 };
@@ -72,14 +71,8 @@ PlaceCounts PastFollower::finish() {
   if (!impl_->places) return {};
   impl_->follow_places();
   impl_->worker.wait_idle();
+  impl_->places->finish();
   return impl_->places->counts();
-}
-
-void PastFollower::remember_last() {
-  if (!impl_->places) return;
-  impl_->has_ended = true;
-  impl_->follow_places();
-  impl_->worker.wait_idle();
 }
 
 }  // namespace edgevo

@@ -146,9 +146,9 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
                      &result};
   const auto finish = [&] {
     result.cpu_s += cpu_seconds([&] {
+      odometry.close();
       result.places = past.finish();
       result.run = odometry.finish();
-      past.remember_last();
     });
   };
   if (options.realtime) {

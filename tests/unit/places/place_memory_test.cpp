@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <map>
+#include <utility>
 
 #include "rendered_view.h"
 
@@ -41,6 +42,26 @@ class StreetRun {
   }
   // A keyframe at a frame of the scene; the map places it `off` metres to the right of where it is.
   void add(int frame, double off = 0) {
+    append(KeyframeAdded{next_, next_, segment_});
+    append(KeyframeMarginalised{next_, record_of(frame, off), {}, street_frame(frame).pyramid});
+    frames_.push_back(frame);
+    ++next_;
+  }
+  // A keyframe that stays in the window.
+  void begin(int frame) {
+    append(KeyframeAdded{next_, next_, segment_});
+    window_.push_back({next_, *record_of(frame, 0), street_frame(frame).pyramid});
+    append(WindowAdjusted{0, std::make_shared<const std::vector<WindowAdjusted::Active>>(window_)});
+    frames_.push_back(frame);
+    ++next_;
+  }
+  // The window's keyframes leave it, in their order.
+  void close() {
+    for (const WindowAdjusted::Active& k : std::exchange(window_, {}))
+      append(KeyframeMarginalised{k.id, std::make_shared<const KeyframeRecord>(k.keyframe), {}, k.pyramid});
+  }
+
+  std::shared_ptr<const KeyframeRecord> record_of(int frame, double off) const {
     const StreetFrame& seen = street_frame(frame);
     auto record = std::make_shared<KeyframeRecord>();
     record->frame_index = next_;
@@ -50,23 +71,22 @@ class StreetRun {
     record->T_world_cam = pose;
     record->points = seen.points;
     for (EdgePoint& p : record->points) p.idepth /= float(unit_), p.idepth_sigma /= float(unit_);
-    append(KeyframeAdded{next_, next_, segment_});
-    append(KeyframeMarginalised{next_, record, {}, seen.pyramid});
-    frames_.push_back(frame);
-    ++next_;
+    return record;
   }
 
   // The constraints that were stated since the last call.
   std::vector<Constraint> follow(PlaceMemory* memory) {
     std::vector<Constraint> stated;
-    for (const auto& event : events_.read()) {
-      memory->apply(*event);
-      if (const auto* added = std::get_if<ConstraintAdded>(event.get())) stated.push_back(added->constraint);
-    }
-    for (const auto& event : events_.read())
-      if (const auto* added = std::get_if<ConstraintAdded>(event.get())) stated.push_back(added->constraint);
+    const auto note = [&](const MapEvent& event) {
+      if (const auto* added = std::get_if<ConstraintAdded>(&event)) stated.push_back(added->constraint);
+      withdrawn_ += std::holds_alternative<ConstraintWithdrawn>(event);
+    };
+    for (const auto& event : events_.read()) memory->apply(*event), note(*event);
+    for (const auto& event : events_.read()) note(*event);
     return stated;
   }
+  // Number of those withdrawn.
+  int withdrawn() const { return withdrawn_; }
   int frame_of(NodeId keyframe) const { return frames_[size_t(keyframe.number())]; }
   SE3 truth(NodeId from, NodeId to) const {
     return street().T_world_cam(frame_of(from)).inverse() * street().T_world_cam(frame_of(to));
@@ -79,7 +99,8 @@ class StreetRun {
   std::shared_ptr<MapLog> log_;
   MapCursor events_;
   std::vector<int> frames_;  // by keyframe
-  int segment_ = -1, next_ = 0;
+  std::vector<WindowAdjusted::Active> window_;
+  int segment_ = -1, next_ = 0, withdrawn_ = 0;
   double unit_ = 1;
 };
 
@@ -151,6 +172,41 @@ TEST(PlaceMemory, PlacesARunInAKeptMap) {
 }
 
 // A doubt can be evaluated when the keyframes after it have been stored.
+// A run is found before its first keyframes leave the window; once they have, what they say counts.
+TEST(PlaceMemory, FindsAYoungSegmentByItsWindow) {
+  StreetRun run;
+  PlaceMemory memory = run.memory();
+  run.begin_segment(1);
+  for (int frame = 0; frame < 25; ++frame) run.add(frame);
+  EXPECT_THAT(run.follow(&memory), IsEmpty());
+  run.begin_segment(3);
+  for (int frame = 5; frame < 9; ++frame) run.begin(frame);
+  const std::vector<Constraint> young = run.follow(&memory);
+  ASSERT_THAT(young, SizeIs(::testing::AllOf(::testing::Ge(3U), ::testing::Le(4U))));
+  for (const Constraint& c : young) EXPECT_NEAR(3 * c.T_from_to.scale, 1, 0.05);
+  EXPECT_EQ(memory.counts().stated, 0);  // it is withdrawn later
+  for (int frame = 9; frame < 13; ++frame) run.begin(frame);
+  EXPECT_THAT(run.follow(&memory), IsEmpty());  // found already
+  run.close();
+  for (int frame = 13; frame < 18; ++frame) run.add(frame);
+  EXPECT_EQ(run.withdrawn(), 0);
+  EXPECT_GE(run.follow(&memory).size(), 3U);
+  EXPECT_EQ(run.withdrawn(), int(young.size()));
+}
+
+// Without keyframes after them.
+TEST(PlaceMemory, LooksUpTheLastKeyframesAtTheEnd) {
+  StreetRun run;
+  PlaceMemory memory = run.memory();
+  run.begin_segment(1);
+  for (int frame = 0; frame < 25; ++frame) run.add(frame);
+  run.begin_segment(3);
+  for (int frame = 5; frame < 9; ++frame) run.add(frame);
+  EXPECT_THAT(run.follow(&memory), IsEmpty());
+  memory.finish();
+  EXPECT_GE(run.follow(&memory).size(), 3U);
+}
+
 TEST(PlaceMemory, AnEpochThatIsAnnouncedLateParts) {
   StreetRun run;
   PlaceMemory memory = run.memory();

@@ -213,6 +213,8 @@ struct WindowAdjusted {
     int id = 0;
     /// Its present state.
     KeyframeRecord keyframe;
+    /// As KeyframeMarginalised::pyramid.
+    std::shared_ptr<const FramePyramid> pyramid = nullptr;
   };
   /// The keyframes, oldest first; empty: the map was closed.
   std::shared_ptr<const std::vector<Active>> keyframes;

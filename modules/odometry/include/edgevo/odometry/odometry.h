@@ -80,13 +80,13 @@ class Odometry {
   /// Processes the next frame. The record holds what is known now; poses found later (bootstrap) and final
   /// poses come with finish(). Throws InputError, and nothing has happened, unless index and time are after
   /// those of the frame before and the image has the camera's size and that many pixels; std::logic_error
-  /// after finish().
+  /// after close().
   FrameRecord process(const Frame& frame);
   /// Records a frame that is not processed, e.g. because the program is behind its camera: it gets a record
   /// without a pose, with `why` as its note, and the motion model counts it. The image is not used. A frame
   /// whose own time is wrong is given that of the frame before; its record is a tick later than that one's.
   /// Throws InputError for a time before that, or an index that is not after it; std::logic_error after
-  /// finish().
+  /// close().
   FrameRecord skip(const Frame& frame, const std::string& why);
 
   /// What is skipped from the next frame on, in realtime: for a caller whose frames come too late.
@@ -101,6 +101,10 @@ class Odometry {
   /// The result of the last process() call, with the map that it used. Call in the thread of process().
   const NewestPose& newest_pose() const;
 
+  /// Takes no more frames: mapping ends, and the last keyframes leave the window. Whoever looks for relations
+  /// between keyframes may add them to the log until finish(), which closes what is not closed. Throws
+  /// std::logic_error if called again.
+  void close();
   /// Ends the run and returns everything, also after an exception from the source. Throws std::logic_error if
   /// called again.
   Run finish();

@@ -11,6 +11,12 @@
 
 namespace edgevo {
 
+/// What a row of queries along one path has said of the views so far, by number of the view.
+struct PlaceVotes {
+  /// By each of the two voters.
+  std::vector<double> by_corners, by_signature;
+};
+
 /// The views of all places, in the order in which they were seen. Numbers of views ascend from 0.
 class PlaceIndex {
  public:
@@ -25,9 +31,9 @@ class PlaceIndex {
   size_t size() const { return signatures_.size(); }
 
   /// The likeliest views, likeliest first, none next to another one. The query must not be among the views,
-  /// nor what was seen around it: its corners would look most alike. Successive calls are for successive
-  /// views. Cost: some 10 ms at 300 views.
-  std::vector<int> candidates(const RememberedView& query, size_t count);
+  /// nor what was seen around it: its corners would look most alike. `row`: of the queries before it along
+  /// the same path; takes what this one adds. Cost: some 3 ms at 300 views.
+  std::vector<int> candidates(const RememberedView& query, size_t count, PlaceVotes* row) const;
 
  private:
   struct Corners;
@@ -36,7 +42,6 @@ class PlaceIndex {
 
   std::unique_ptr<Corners> corners_;
   std::vector<ViewSignature> signatures_;
-  std::vector<double> by_corners_, by_signature_;  // votes of the queries so far, by number of the view
 };
 
 }  // namespace edgevo

@@ -5,9 +5,9 @@
 //
 // Corners: a pose by three of them (P3P) that so many others agree with as hardly happens by chance. Edges:
 // from there the edges of each view are aligned with those of the other, in both directions, and must agree
-// much better than the same edges displaced. Both tests count false alarms a contrario (Moisan and Stival, "A
-// probabilistic criterion to detect rigid point matches between two images", IJCV 2004): no threshold depends
-// on the scene, its light or the size of its images.
+// better than the same edges displaced; together with the corners as hardly happens by chance. Both count
+// false alarms a contrario (Moisan and Stival, "A probabilistic criterion to detect rigid point matches
+// between two images", IJCV 2004): no threshold depends on the scene, its light or the size of its images.
 #include <optional>
 #include <vector>
 

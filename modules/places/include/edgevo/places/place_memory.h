@@ -6,6 +6,10 @@
 // A keyframe that leaves the window is remembered, and looked up among those long before it. What is proved
 // of a pair of views (place_match.h) is believed if the path agrees, as far as it is known at all; if no
 // other place matches as well; and if the places of three keyframes in a row agree with each other.
+//
+// Of a segment that lies nowhere yet, in the past of the run or in a map that was kept, keyframes are looked
+// up as soon as they are in the window. What that says is withdrawn when keyframes that have left it say it
+// better.
 #include <deque>
 #include <functional>
 #include <memory>
@@ -54,21 +58,31 @@ class PlaceMemory {
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
   /// Whether keyframes are looked up from now on, or only remembered: where they would come too late.
   void look_up_too(bool looks_up) { looks_up_ = looks_up; }
+  /// The run has no more keyframes: those that waited for the ones after them are looked up.
+  void finish();
   /// What was found so far.
   const PlaceCounts& counts() const { return counts_; }
 
  private:
   struct Proved {
-    size_t place = 0, query = 0;  // positions in the store of the places, and in that of the run
+    size_t place = 0, query = 0;  // positions in the store of the places, and in that of the queries
     PlaceMatch match;
     bool is_stated = false;
+  };
+  // Keyframes that are looked up one after the other.
+  struct Row {
+    const PlaceStore* store = nullptr;
+    PlaceVotes votes;
+    std::deque<std::vector<Proved>> recent;  // of the last ones, the newest last
+    std::vector<int> stated;                 // numbers of the constraints that are withdrawn later
   };
   // Places to be looked up: of this run, or of a map that was kept.
   struct Known {
     const PlaceStore* store = nullptr;
     PlaceIndex index;
-    std::vector<size_t> keyframe_of;         // by number of the view in the index
-    std::deque<std::vector<Proved>> recent;  // of the last queries, the newest last
+    std::vector<size_t> keyframe_of;  // by number of the view in the index
+    Row finished, young;              // keyframes that have left the window, and those in it
+    bool is_sought = false;           // whether those in the window are looked up here
 
     void add(const StoredKeyframe& keyframe, size_t position);
   };
@@ -76,27 +90,33 @@ class PlaceMemory {
   void handle(const SegmentPlaced& e);
   void handle(const EpochBegan& e);
   void handle(const KeyframeMarginalised& e);
+  void handle(const WindowAdjusted& e);
   void handle(const MapMoved& e);
   template <class Other>
   void handle(const Other&) {}
 
+  void begin_young();
+  void take_young(const WindowAdjusted::Active& active);
   void look_up(size_t query);
-  void look_up(size_t query, Known* known);
+  void look_up(size_t query, Known* known, Row* row);
   void add_places_before(size_t query);
   bool is_known_already(const Proved& p) const;
-  std::vector<Proved> prove(size_t query, const std::vector<int>& views, const Known& known);
+  std::vector<Proved> prove(size_t query, const std::vector<int>& views, const Known& known, const Row& row);
   bool is_on_path(const Proved& p) const;
-  bool agree(const Proved& a, const Proved& b, const Known& known) const;
-  std::vector<Proved> possible(std::vector<Proved> found, const Known& known);
-  std::vector<Proved*> agreeing_with(Proved* newest, Known* known) const;
-  Constraint constraint_of(const Proved& p, const Known& known) const;
-  void state(Proved* p, const Known& known);
+  static bool agree(const Proved& a, const Proved& b, const Known& known, const Row& row);
+  std::vector<Proved> possible(std::vector<Proved> found, const Known& known, const Row& row);
+  static std::vector<Proved*> agreeing_with(Proved* newest, const Known& known, Row* row);
+  Constraint constraint_of(const Proved& p, const Known& known, const Row& row) const;
+  void state(Proved* p, Known* known, Row* row);
+  void withdraw(Row* young);
 
   const Rectification rectification_;
   const std::shared_ptr<MapLog> log_;
   const PlaceParams params_;
   const std::shared_ptr<const PlaceStore> kept_store_;
   PlaceStore store_;
+  PlaceStore young_;  // keyframes of the segment in use, as they were in the window last
+  int young_segment_ = -1;
   std::set<int> first_of_epoch_{0};  // ids of the first keyframes
   std::deque<size_t> waiting_;       // positions of those that are not far enough back yet to be places
   Known own_, kept_;

@@ -34,6 +34,10 @@ class PlaceStore {
 
   /// Appends a keyframe; ids ascend.
   void add(StoredKeyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
+  /// Gives a keyframe its state of now.
+  void update(size_t at, KeyframeRecord record) {
+    keyframes_[at].record = std::make_shared<const KeyframeRecord>(std::move(record));
+  }
   /// The keyframes; positions in this vector name them below.
   const std::vector<StoredKeyframe>& keyframes() const { return keyframes_; }
   /// Number of keyframes.
@@ -63,7 +67,7 @@ class PlaceStore {
  private:
   SE3 pose(size_t at) const { return keyframes_[at].record->T_world_cam; }
 
-  const Pinhole pinhole_;
+  Pinhole pinhole_;
   std::vector<StoredKeyframe> keyframes_;
 };
 

@@ -38,10 +38,8 @@ class PastFollower {
 
   /// Call after each frame.
   void follow();
-  /// Call before Odometry::finish(): waits until all places are looked up.
+  /// Call between Odometry::close() and finish(): waits until all places are looked up.
   PlaceCounts finish();
-  /// Call after it: the last keyframes, which left the window then, are remembered, too.
-  void remember_last();
 
  private:
   struct Impl;
