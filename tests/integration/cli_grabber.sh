@@ -67,6 +67,16 @@ awk '/^[0-9]/ { print $4 }' "$direct/trajectory_live_tum.txt" | tail -n "$(wc -l
 below "difference of the recorded poses from the live ones" "$(paste live.txt recorded.txt |
   awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.00002
 
+# In the map of the run: the poses in `map` of its last ten frames are those of the run.
+ini rawlog_grabber_rawlog.ini "s|^rawlog_file = .*|rawlog_file = sub/street.rawlog|; s|^sensorLabel = .*|&\nmap = $direct|"
+grab edgevo.ini
+says "found in the map $direct"
+rawlog-edit --export-txt -i "$rawlog" >/dev/null 2>&1 </dev/null
+awk '!/^%/ { print $2 }' "${rawlog%.rawlog}_EDGE_VO.txt" | tail -n 10 >recorded.txt
+awk '/^[0-9]/ { print $4 }' "$direct/trajectory_tum.txt" | tail -n 10 >mapped.txt
+below "difference from the map" "$(paste mapped.txt recorded.txt |
+  awk '{ d = $1 - $2; if (d < 0) d = -d; if (d > most) most = d; if (NF != 2) odd = 1 } END { if (NR && !odd) print most + 0 }')" 0.1
+
 # A folder as the camera, ended by a key while the grabber still holds observations that it would drop.
 ini rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = $street/images|; s|^calibration_file = .*|calibration_file = $street/camera.txt|
   s|^GRABBER_PERIOD_MS = .*|GRABBER_PERIOD_MS = 1500|; s|^process_rate = .*|process_rate = 10|"
@@ -102,6 +112,8 @@ refused() {
 refused rawlog_grabber_folder.ini 's|^image_dir_url = .*|image_dir_url = nowhere|' "\[FOLDER\] .*camera.txt.*"
 refused rawlog_grabber_folder.ini "s|^image_dir_url = .*|image_dir_url = nowhere|; s|^calibration_file = .*|calibration_file = $street/camera.txt|" \
   "\[FOLDER\] grabber_type image_dir: the camera opens, but gives no image .*; check"
+refused rawlog_grabber_rawlog.ini "s|^rawlog_file = .*|rawlog_file = sub/street.rawlog|; s|^sensorLabel = .*|&\nmap = nowhere|" \
+  "\[RAWLOG\] nowhere: cannot be read"
 refused rawlog_grabber_rawlog.ini 's|^rawlog_file = .*|rawlog_file = nowhere.rawlog|' "\[RAWLOG\] nowhere.rawlog: no such file"
 refused rawlog_grabber_camera.ini "s|^calibration_file = .*|calibration_file = $street/camera.txt|; s|^cv_camera_index = .*|cv_camera_index = 77|" \
   "\[CAMERA\] grabber_type opencv: the camera does not open"

@@ -12,6 +12,7 @@
 #include "edgevo/mrpt_bridge/playback_pose.h"
 #include "edgevo/mrpt_bridge/vehicle_observations.h"
 #include "edgevo/scale/given_scale.h"
+#include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
 namespace {
@@ -69,6 +70,7 @@ Run LiveObservations::run_of(const FrameRecord& record, const SE3& T_world_odom,
   run.frames.back().T_world_cam = T_world_odom * *record.T_world_cam_live;
   run.keyframes.push_back(as_keyframe(record, view));
   if (config_.metres_per_unit > 0) scale_run(config_.metres_per_unit, "factor", &run);
+  if (is_in_metres_) scale_run(1, kKeptMapScale, &run);
   return run;
 }
 

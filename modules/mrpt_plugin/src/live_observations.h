@@ -19,6 +19,8 @@ class LiveObservations {
 
   /// Existing folder for the images; empty: they are stored inside the rawlog.
   void set_images_folder(const std::string& folder) { images_folder_ = folder; }
+  /// From now on the world's lengths are metres: of a map that the recording was found in.
+  void set_metres() { is_in_metres_ = true; }
 
   /// Observations of a frame, at its stated time, as those of other sensors: always the image; poses if there
   /// are any, in `odom` and by map -> odom in `map`; map -> odom itself at first and after each change
@@ -40,6 +42,7 @@ class LiveObservations {
   Camera camera_;
   std::optional<SE3> T_vehicle_cam_;
   std::string images_folder_;
+  bool is_in_metres_ = false;
   int last_reference_ = -1, last_changes_ = -1;
 };
 

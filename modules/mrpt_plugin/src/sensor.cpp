@@ -91,17 +91,30 @@ void CEdgeVoSensor::open() {
   for (const InputDecision& decision : grabber_->decisions()) say(to_string(decision));
   for (const std::string& warning : input_warnings(grabber_->decisions())) say("WARNING: " + warning);
   say_lens(grabber_->camera());
-  OdometryOptions options;
-  options.seed = uint64_t(config_.seed);
-  options.realtime = config_.realtime;
-  options.detectors = all_edge_detectors();
-  options.log = [this](const std::string& line) { say(line); };
-  odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);
+  open_odometry();
   observations_ = std::make_unique<LiveObservations>(config_, grabber_->camera(), grabber_->T_vehicle_cam());
   if (config_.external_images && !images_folder_.empty()) {
     make_output_folder(images_folder_);
     observations_->set_images_folder(images_folder_);
   }
+}
+
+void CEdgeVoSensor::open_odometry() {
+  OdometryOptions options;
+  options.seed = uint64_t(config_.seed);
+  options.realtime = config_.realtime;
+  options.detectors = all_edge_detectors();
+  options.log = [this](const std::string& line) { say(line); };
+  options.map_log = std::make_shared<MapLog>();
+  if (!config_.map.empty())
+    earlier_.emplace(config_.map, rectification_of(grabber_->camera(), options).target(),
+                     config_.metres_per_unit);
+  for (const std::string& line : earlier_ ? earlier_->warnings() : std::vector<std::string>()) say(line);
+  PastParams params;
+  params.kept = earlier_ ? earlier_->places() : nullptr;
+  past_.emplace(grabber_->camera(), grabber_->T_vehicle_cam(), options, params);
+  events_.emplace(options.map_log);
+  odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);
 }
 
 void CEdgeVoSensor::doProcess() {
@@ -121,6 +134,7 @@ void CEdgeVoSensor::doProcess() {
 
 void CEdgeVoSensor::process(const Grab& grab) {
   const FrameRecord record = track(grab);
+  follow_past();
   ++frames_;
   if (grab.frame.image.empty()) return;
   const auto observations =
@@ -140,6 +154,15 @@ FrameRecord CEdgeVoSensor::track(const Grab& grab) {
   if (left_out_++ < kSaid) say("frame " + std::to_string(grab.frame.index) + " left out: " + grab.problem);
   if (frames_ == left_out_ - 1) return {};  // no frame with a time came before
   return odometry_->skip(grab.frame, "left out: " + grab.problem);
+}
+
+void CEdgeVoSensor::follow_past() {
+  past_->follow();
+  const auto events = events_->read();
+  if (!earlier_ || !earlier_->is_placed_by(events)) return;
+  if (earlier_->is_metric()) observations_->set_metres();
+  say("found in the map " + config_.map + ", whose frame and unit the poses in `map` have" +
+      (earlier_->is_metric() ? " (metres)" : ""));
 }
 
 // The comment is dated after all frames: the grabber never writes the newest object in its buffer.

@@ -6,9 +6,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "earlier_map.h"
+#include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/run_loop/past_follower.h"
 #include "live_observations.h"
 #include "recording_tail.h"
 
@@ -37,8 +41,10 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
  private:
   void name_section(const std::function<void()>& work) const;
   void open();
+  void open_odometry();
   void process(const Grab& grab);
   FrameRecord track(const Grab& grab);
+  void follow_past();
   void end(const std::string& why);
   void end_when_all_is_written();
   void say(const std::string& text) const;
@@ -50,6 +56,9 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   SensorConfig config_;
   std::string images_folder_;
   std::unique_ptr<Grabber> grabber_;
+  std::optional<EarlierMap> earlier_;
+  std::optional<PastFollower> past_;  // of odometry_
+  std::optional<MapCursor> events_;
   std::unique_ptr<Odometry> odometry_;
   std::unique_ptr<LiveObservations> observations_;
   RecordingTail tail_;

@@ -13,10 +13,22 @@ namespace {
 using mrpt::config::CConfigFileBase;
 
 const std::vector<std::string>& own_keys() {
-  static const std::vector<std::string> keys{
-      "driver",           "process_rate",    "max_queue_len", "grab_decimation",    "sensorLabel",
-      "calibration_file", "params_file",     "detector",      "metres_per_unit",    "seed",
-      "realtime",         "external_images", "at_end",        "max_relative_sigma", "rawlog-grabber-ignore"};
+  static const std::vector<std::string> keys{"driver",
+                                             "process_rate",
+                                             "max_queue_len",
+                                             "grab_decimation",
+                                             "sensorLabel",
+                                             "calibration_file",
+                                             "params_file",
+                                             "detector",
+                                             "metres_per_unit",
+                                             "seed",
+                                             "realtime",
+                                             "external_images",
+                                             "at_end",
+                                             "max_relative_sigma",
+                                             "rawlog-grabber-ignore",
+                                             "map"};
   return keys;
 }
 
@@ -102,6 +114,7 @@ SensorConfig read_sensor_config(const CConfigFileBase& config, const std::string
   SensorConfig c;
   c.label = config.read_string(section, "sensorLabel", c.label);
   c.calibration_file = config.read_string(section, "calibration_file", "");
+  c.map = config.read_string(section, "map", "");
   c.metres_per_unit = number(config, section, "metres_per_unit", c.metres_per_unit, 0, 1e9);
   if (const std::string file = config.read_string(section, "params_file", ""); !file.empty())
     read_params_of_run(file, &c.odometry);

@@ -17,6 +17,8 @@ struct SensorConfig {
   std::string calibration_file;
   /// Metres per unit; 0: unknown, lengths are in an arbitrary unit.
   double metres_per_unit = 0;
+  /// map.db or folder of an earlier run whose frame and unit the recording gets; empty: none.
+  std::string map;
   /// Parameters, from params_file and detector.
   OdometryParams odometry;
   /// Largest relative standard deviation of the depth of a recorded point.
