@@ -22,7 +22,8 @@ class SequenceSource : public ImageSource {
   SequenceSource(Sequence sequence, int bits)
       : sequence_(std::move(sequence)), intensities_(decide_intensities(sequence_.images, bits)) {
     if (intensities_.decision) sequence_.decisions.push_back(*intensities_.decision);
-    doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
+    if (!sequence_.ordered_by_names)
+      doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
   }
 
   const Camera& camera() const override { return sequence_.camera; }
