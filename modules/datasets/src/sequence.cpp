@@ -138,7 +138,7 @@ CameraFile camera_file_of(const SourceOptions& options, const std::string& own) 
   if (!path.empty()) return {path, options.sensor_label, options.camera_scale};
   throw InputError(options.path, "no calibration" + (own.empty() ? "" : " (" + own + " is missing)"),
                    "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its "
-                   "angle with --fov");
+                   "angle with --fov; edgevo run also takes --camera auto: found from the motion");
 }
 
 std::string existing(const std::string& path) {
