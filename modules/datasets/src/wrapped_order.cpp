@@ -43,7 +43,7 @@ void begin_at(size_t first, std::vector<T>* values) {
   std::rotate(values->begin(), values->begin() + std::ptrdiff_t(first), values->end());
 }
 
-// The order may have been decided before: some files left out.
+// The order may have been decided before: some files were skipped.
 void decide_order(const std::string& value, const std::string& reason, Sequence* sequence) {
   for (InputDecision& d : sequence->decisions) {
     if (d.subject != "order") continue;

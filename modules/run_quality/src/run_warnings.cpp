@@ -32,7 +32,7 @@ std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
   return std::nullopt;
 }
 
-// Whole images that the driver or the video spoilt.
+// Images that are corrupt as a whole.
 std::vector<std::string> image_faults_in_words(const Run& run) {
   const auto number = [&](ImageFault fault) {
     return std::count_if(run.frames.begin(), run.frames.end(),
