@@ -24,8 +24,8 @@ void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
   if (shown.size() < all.size())
     lines->push_back(
         {formatted("and %zu shorter intervals, listed in summary.yaml", all.size() - shown.size()), true});
-  for (const GuessedPlace& guessed : guessed_places(run))
-    lines->push_back({"NOT TO BE TRUSTED: " + to_string(guessed), true});
+  for (const std::string& line : uncertain_in_words(run))
+    lines->push_back({"NOT TO BE TRUSTED: " + line, true});
 }
 
 // Decided by the rest of the run, so that who reads it should be able to look.

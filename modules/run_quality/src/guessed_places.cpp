@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edgevo/run_quality/carried_unit.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
 
 namespace edgevo {
@@ -50,10 +51,17 @@ std::string to_string(const GuessedPlace& guessed) {
          ": place and direction are guessed (by " + guessed.by + "): nothing links them to what was before";
 }
 
+std::vector<std::string> uncertain_in_words(const Run& run) {
+  std::vector<std::string> lines;
+  for (const GuessedPlace& guessed : guessed_places(run)) lines.push_back(to_string(guessed));
+  for (const PureRotation& turn : pure_rotations(run)) lines.push_back(to_string(turn));
+  return lines;
+}
+
 std::vector<std::string> not_to_be_trusted(const Run& run) {
   std::vector<std::string> lines;
   for (const DoubtfulInterval& interval : doubtful_intervals(run)) lines.push_back(to_string(interval));
-  for (const GuessedPlace& guessed : guessed_places(run)) lines.push_back(to_string(guessed));
+  for (std::string& line : uncertain_in_words(run)) lines.push_back(std::move(line));
   return lines;
 }
 

@@ -44,9 +44,9 @@ std::string interval_table(const Run& run) {
   return table_html({"frames", "doubtful", "mostly because"}, rows) + more;
 }
 
-std::string guessed_lines(const Run& run) {
+std::string uncertain_lines(const Run& run) {
   std::string lines;
-  for (const GuessedPlace& guessed : guessed_places(run)) lines += note_html(to_string(guessed) + ".");
+  for (const std::string& line : uncertain_in_words(run)) lines += note_html(line + ".");
   return lines;
 }
 
@@ -69,7 +69,7 @@ std::string trust_section(const ReportInput& in) {
                                  [](const FrameRecord& f) { return std::isfinite(f.p_right); });
   return section_html("trust", "Trust in each frame",
                       (known ? draw(p_right_chart(in.run)) : note_html("No frame has a probability.")) +
-                          interval_table(in.run) + guessed_lines(in.run) + pictures(in));
+                          interval_table(in.run) + uncertain_lines(in.run) + pictures(in));
 }
 
 }  // namespace edgevo

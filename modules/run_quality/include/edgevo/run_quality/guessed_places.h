@@ -26,7 +26,10 @@ std::vector<GuessedPlace> guessed_places(const Run& run);
 /// before".
 std::string to_string(const GuessedPlace& guessed);
 
-/// The doubtful intervals and the guessed places in words: what is not to be trusted.
+/// The guessed places and the pure rotations (carried_unit.h) in words: what no doubtful frame shows.
+std::vector<std::string> uncertain_in_words(const Run& run);
+
+/// The doubtful intervals and the above in words: what is not to be trusted.
 std::vector<std::string> not_to_be_trusted(const Run& run);
 
 }  // namespace edgevo
