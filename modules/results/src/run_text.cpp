@@ -112,7 +112,7 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
   append_number(&text, frame.p_right, 4);
   text += frame.is_doubtful_keyframe ? ",1" : ",0";
   text += frame.evidence.stands ? ",1" : ",0";
-  text += frame.T_world_cam && !frame.T_world_cam_live ? ",1" : ",0";
+  text += frame.T_world_cam_live && std::isnan(frame.p_right) ? ",1" : ",0";
   for (const std::string& stage : stages) {
     text += ',';
     const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),

@@ -44,9 +44,9 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
   EXPECT_EQ(
       rows[46 - 3],
       "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
-      "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,0,0,0,8.200,"
+      "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,0,1,8.200,"
       "2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 52u) << row;
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 53u) << row;
 }
 
 TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {
