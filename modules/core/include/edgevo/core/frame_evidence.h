@@ -70,6 +70,7 @@ struct RelativeScale {
 
 /// What is wrong with an image as a whole (edges/exposure_check.h).
 enum class ImageFault : uint8_t {
+  /// Nothing.
   kNone,
   /// Black, white or covered: it shows a tenth of the contrast of the images before.
   kBlank,

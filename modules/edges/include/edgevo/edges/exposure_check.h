@@ -12,8 +12,11 @@ namespace edgevo {
 
 /// Rows begin .. end - 1 of an image; empty: none.
 struct ImageRows {
+  /// First row, and the one after the last.
   int begin = 0, end = 0;
+  /// Whether there are none.
   bool empty() const { return begin >= end; }
+  /// Number of rows.
   int size() const { return end - begin; }
 };
 
