@@ -72,8 +72,9 @@ std::optional<Camera> assume(const SourceOptions& options, const std::string& ow
       options.fov_deg ? guess_from_fov(*options.fov_deg, images) : guess_from_exif(images);
   if (!guess && !options.any_camera) return std::nullopt;
   if (!guess) {
-    decisions->push_back({"camera", kUnknownCamera,
-                          "no calibration: a run needs --camera FILE, or --fov DEGREES to start with", ""});
+    decisions->push_back(
+        {"camera", kUnknownCamera,
+         "no calibration: a run needs --camera FILE, --camera auto, or --fov DEGREES to start with", ""});
     return camera_of_field_of_view(kAnyFov, images.width, images.height);
   }
   decisions->push_back(assumption(*guess));

@@ -36,7 +36,8 @@ std::string lower_case(std::string text) {
 }
 
 bool is_image_name(const fs::path& path) {
-  static const std::set<std::string> kKnown{".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm", ".tif", ".tiff"};
+  static const std::set<std::string> kKnown{".png", ".jpg", ".jpeg", ".bmp",  ".pgm",
+                                            ".ppm", ".tif", ".tiff", ".webp", ".jp2"};
   return path.filename().string().front() != '.' && kKnown.count(lower_case(path.extension().string())) > 0;
 }
 
@@ -62,6 +63,22 @@ int numbers_in(const std::string& name) {
   return count;
 }
 
+// The first folder below, by name, that holds images; empty if none does.
+std::string folder_with_images(const std::string& folder) {
+  std::string found;
+  std::error_code ignored;
+  for (const auto& below : fs::directory_iterator(folder, ignored)) {
+    const std::string path = below.path().string();
+    if (!below.is_directory(ignored) || (!found.empty() && found < path)) continue;
+    for (const auto& entry : fs::directory_iterator(path, ignored))
+      if (is_image_name(entry.path())) {
+        found = path;
+        break;
+      }
+  }
+  return found;
+}
+
 // A folder of other sources than images: which of them to give.
 [[noreturn]] void throw_without_images(const std::string& folder) {
   std::string file;
@@ -72,6 +89,8 @@ int numbers_in(const std::string& name) {
     if (is_source && (file.empty() || path < file)) file = path;
   }
   if (!file.empty()) throw InputError(folder, "the folder holds no images", "give a file of it: " + file);
+  if (const std::string below = folder_with_images(folder); !below.empty())
+    throw InputError(folder, "the folder itself holds no images", "give the one below that does: " + below);
   throw InputError(folder, "the folder holds no images", "put images there (png, jpg, bmp, pgm, ppm, tif)");
 }
 

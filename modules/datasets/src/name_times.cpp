@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <regex>
 
+#include "name_clock.h"
 #include "time_unit.h"
 
 namespace edgevo {
@@ -13,56 +14,21 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-bool increase(const std::vector<Timestamp>& times) {
-  for (size_t i = 1; i < times.size(); ++i)
-    if (!(times[i - 1] < times[i])) return false;
-  return true;
-}
-
-// ---- a clock at the end of the name ----
-
-std::optional<Timestamp> clock_time(const std::string& stem) {
-  static const std::regex kClock(
-      "(?:^|.*[^0-9])([0-9]{1,2})[-_:h]([0-5][0-9])[-_:m]([0-5][0-9][.,][0-9]{1,9})");
-  std::smatch part;
-  if (!std::regex_match(stem, part, kClock)) return std::nullopt;
-  std::string seconds = part[3];
-  std::replace(seconds.begin(), seconds.end(), ',', '.');
-  Timestamp t;
-  if (!parse_seconds(seconds, &t)) return std::nullopt;
-  t.ticks += Timestamp::kTicksPerSecond * (3600 * std::stoll(part[1]) + 60 * std::stoll(part[2]));
-  return t;
-}
-
 std::optional<NameTimes> clock_times(const Texts& stems) {
+  constexpr double kDay = 86400, kSummerTime = 3600;  // s
+  auto clocks = clocks_of_names(stems);
+  if (!clocks) return std::nullopt;
   NameTimes result;
-  for (const std::string& stem : stems) {
-    const auto t = clock_time(stem);
-    if (!t) return std::nullopt;
-    result.times.push_back(*t);
-  }
-  if (!increase(result.times)) return std::nullopt;
-  result.decision = {"times", "hours, minutes and seconds in the names of the images",
+  result.times = std::move(clocks->times);
+  result.period_s = clocks->dated ? kSummerTime : kDay;
+  result.decision = {"times",
+                     std::string(clocks->dated ? "date and clock" : "hours, minutes and seconds") +
+                         " in the names of the images",
                      stems.front() + " is " + to_string(result.times.front()) + " s", ""};
   return result;
 }
 
 // ---- a number at the end of the name ----
-
-// The numbers at the end of the names, if what comes before is the same in all; else none.
-Texts last_numbers(const Texts& stems) {
-  static const std::regex kNumber("(|.*[^0-9.])([0-9]+(?:\\.[0-9]+)?)");
-  Texts numbers;
-  std::string beginning;
-  for (const std::string& stem : stems) {
-    std::smatch part;
-    if (!std::regex_match(stem, part, kNumber)) return {};
-    if (numbers.empty()) beginning = part[1];
-    if (part[1] != beginning) return {};
-    numbers.push_back(part[2]);
-  }
-  return numbers;
-}
 
 bool has_point(const std::string& number) { return number.find('.') != std::string::npos; }
 
@@ -135,6 +101,20 @@ std::optional<NameTimes> number_times(const Texts& stems, const std::string& giv
 }
 
 }  // namespace
+
+Texts last_numbers(const Texts& stems) {
+  static const std::regex kNumber("(|.*[^0-9.])([0-9]+(?:\\.[0-9]+)?)");
+  Texts numbers;
+  std::string beginning;
+  for (const std::string& stem : stems) {
+    std::smatch part;
+    if (!std::regex_match(stem, part, kNumber)) return {};
+    if (numbers.empty()) beginning = part[1];
+    if (part[1] != beginning) return {};
+    numbers.push_back(part[2]);
+  }
+  return numbers;
+}
 
 std::optional<NameTimes> times_of_names(const std::vector<std::string>& stems, const std::string& unit) {
   if (stems.empty()) return std::nullopt;

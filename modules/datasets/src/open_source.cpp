@@ -121,6 +121,10 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
     refuse_time_unit(options);
     return open_live_camera(options);
   }
+  if (options.path == "-" || options.path.find("://") != std::string::npos)
+    throw InputError(
+        options.path, "is a stream, which is not read",
+        "record it to a file first (ffmpeg -i " + options.path + " -c copy video.mkv), and give that");
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (is_ros) return open_ros_recording(options);

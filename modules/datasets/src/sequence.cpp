@@ -22,7 +22,8 @@ class SequenceSource : public ImageSource {
   SequenceSource(Sequence sequence, int bits)
       : sequence_(std::move(sequence)), intensities_(decide_intensities(sequence_.images, bits)) {
     if (intensities_.decision) sequence_.decisions.push_back(*intensities_.decision);
-    doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
+    if (!sequence_.ordered_by_names)
+      doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
   }
 
   const Camera& camera() const override { return sequence_.camera; }
@@ -137,7 +138,7 @@ CameraFile camera_file_of(const SourceOptions& options, const std::string& own) 
   if (!path.empty()) return {path, options.sensor_label, options.camera_scale};
   throw InputError(options.path, "no calibration" + (own.empty() ? "" : " (" + own + " is missing)"),
                    "give the camera's file with --camera (edgevo calibrate --chessboard makes one), or its "
-                   "angle with --fov");
+                   "angle with --fov; edgevo run also takes --camera auto: found from the motion");
 }
 
 std::string existing(const std::string& path) {

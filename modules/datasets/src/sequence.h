@@ -36,6 +36,8 @@ struct Sequence {
   Details details;
   /// Whether images may differ in size from the camera.
   bool any_size = false;
+  /// Whether the order is that of the names, not of a list, which might contradict them.
+  bool ordered_by_names = false;
   /// What the layout decided; how deep images are read is decided by play().
   Decisions decisions;
 };

@@ -44,6 +44,12 @@ Plane<uint16_t> halved(const Plane<uint16_t>& from, const Pinhole& size) {
   return half;
 }
 
+Plane<uint8_t> zeros(int width, int height) {
+  Plane<uint8_t> plane(width, height);
+  as_mat(plane).setTo(0);
+  return plane;
+}
+
 double share_of(const std::shared_ptr<const Plane<uint8_t>>& mask) {
   if (!mask) return 0;
   return double(cv::countNonZero(as_mat(*mask))) / (double(mask->width()) * mask->height());
@@ -85,7 +91,8 @@ struct PyramidBuilder::Impl {
   // Null if the detector needs none, or for a builder that only rebuilds.
   std::unique_ptr<EdgeProbability> probability;
   std::shared_ptr<const LensTables> lens;
-  std::shared_ptr<const ShiftedUndistortion> rolling;  // made for the first image of a rolling shutter
+  std::shared_ptr<const ShiftedUndistortion> rolling = {};  // made for the first image of a rolling shutter
+  ImageRows old_rows = {};                                  // of the next image
 
   const Pinhole& target() const { return rectification.target(); }
   bool has_area() const { return rectification.camera().width > 1 && rectification.camera().height > 1; }
@@ -145,6 +152,20 @@ struct PyramidBuilder::Impl {
     return rectification.raw_pixel(add_lens(correction, x));
   }
 
+  // Adds the rows that are not the image's own, and those whose gradients they reach, to a mask of the finest
+  // level.
+  void cover_old_rows(const GrayImage& image, const ImageMotion& motion, Plane<uint8_t>* area) {
+    const int margin = kBorderPx << (params.edge_levels - 1);
+    Plane<uint8_t> raw = zeros(image.width, image.height);
+    for (int y = std::max(0, old_rows.begin - margin); y < std::min(image.height, old_rows.end + margin); ++y)
+      std::fill_n(raw.row(y), image.width, uint8_t(255));
+    const Plane<uint8_t> old = undistort(raw.view(), motion);
+    if (area->empty()) *area = zeros(old.width(), old.height());
+    for (int y = 0; y < old.height(); ++y)
+      for (int x = 0; x < old.width(); ++x)
+        if (old.row(y)[x]) area->row(y)[x] = 255;
+  }
+
   // `border`, `own`: masks of the finest level, or empty; `likely`: probability on this level, or empty.
   // `observer`: null, or it is given the edges.
   void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& own,
@@ -199,6 +220,8 @@ PyramidBuilder::PyramidBuilder(PyramidBuilder&&) noexcept = default;
 
 const Pinhole& PyramidBuilder::pinhole() const { return impl_->target(); }
 ImageCorrection PyramidBuilder::correction() const { return impl_->correction; }
+
+void PyramidBuilder::set_old_rows(const ImageRows& rows) { impl_->old_rows = rows; }
 
 void PyramidBuilder::set_correction(const ImageCorrection& correction) {
   const bool is_other_lens = !correction.has_lens_of(impl_->correction);
@@ -274,6 +297,9 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
   const Plane<uint8_t> border_here =
       pyramid->border_mask ? undistort(pyramid->border_mask->view(), motion) : Plane<uint8_t>();
   if (pyramid->ego_mask) pyramid->ego_area = undistort(pyramid->ego_mask->view(), motion);
+  pyramid->is_torn = !old_rows.empty();
+  if (pyramid->is_torn) cover_old_rows(image, motion, &pyramid->ego_area);
+  old_rows = {};
   Plane<uint8_t> likely_here =
       pyramid->probability ? undistort(pyramid->probability->view(), motion) : Plane<uint8_t>();
   for (int l = 0; l < params.levels; ++l) {

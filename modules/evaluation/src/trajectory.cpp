@@ -110,6 +110,10 @@ Trajectory parse_trajectory(std::string_view text, const std::string& where) {
     const StampedPose pose = trajectory.format == TrajectoryFormat::kTum
                                  ? parse_tum(fields, at)
                                  : parse_kitti(fields, int(trajectory.poses.size()), at);
+    if (!trajectory.poses.empty() && pose.time == trajectory.poses.back().time &&
+        pose.time.ticks % Timestamp::kTicksPerSecond == 0)
+      throw InputError(at, "time " + to_string(pose.time) + " again: the times have lost their digits",
+                       "write them with six and more after the point (%.6f)");
     if (!trajectory.poses.empty() && pose.time <= trajectory.poses.back().time)
       throw InputError(
           at,

@@ -16,6 +16,11 @@
 #include "straight_rows.h"
 
 namespace edgevo {
+int count_for_size(int count, const Pinhole& camera) {
+  const double side = std::sqrt(double(camera.width) * camera.height);
+  return side < kFullSizePx ? int(count * side / kFullSizePx) : count;
+}
+
 namespace {
 
 // Number of views whose pyramids are kept, to bound memory; three of them become keyframes. The others keep
@@ -77,6 +82,8 @@ struct Bootstrap::Impl {
     chosen_before.reset();
   }
 
+  int min_corners() const { return count_for_size(kMinBootstrapCorners, pinhole); }
+
   // Makes `view` the first one. Returns false if it shows too few corners; the next frame is tried then.
   bool start(BootstrapView view, cv::Mat image) {
     reset();
@@ -89,7 +96,7 @@ struct Bootstrap::Impl {
     views.push_back(std::move(view));
     corners_in_view.push_back(std::move(corners));
     previous = std::move(image);
-    const bool enough = int(first_corners) >= kMinBootstrapCorners;
+    const bool enough = int(first_corners) >= min_corners();
     if (!enough) reset();
     return enough;
   }
@@ -102,7 +109,7 @@ struct Bootstrap::Impl {
 
   BootstrapStatus take_first(BootstrapView view, cv::Mat image) {
     if (start(std::move(view), std::move(image))) return no_views(ReasonKind::kFirstView);
-    return no_views(ReasonKind::kFewCorners, double(first_corners), kMinBootstrapCorners);
+    return no_views(ReasonKind::kFewCorners, double(first_corners), min_corners());
   }
 
   BootstrapStatus take_next(BootstrapView view, cv::Mat image, bool attempt) {
@@ -117,9 +124,9 @@ struct Bootstrap::Impl {
   // Why the first view is no longer useful; nothing while it is.
   std::optional<Reason> restart_reason() const {
     const int alive = int(corners_in_view.back().size());
-    const bool too_few = alive < kMinBootstrapCorners;
+    const bool too_few = alive < min_corners();
     const bool too_long = int(views.size()) > params.max_frames;
-    if (too_few) return Reason{ReasonKind::kCornersLost, double(alive), double(kMinBootstrapCorners)};
+    if (too_few) return Reason{ReasonKind::kCornersLost, double(alive), double(min_corners())};
     if (too_long) return Reason{ReasonKind::kTooLong};
     return std::nullopt;
   }
@@ -290,8 +297,8 @@ struct Bootstrap::Impl {
 
   BootstrapStatus build_result(const SE3& T_last_first, const cv::Mat& inliers) {
     Triangulation triangulated = triangulate_inliers(T_last_first, inliers);
-    if (int(triangulated.index.size()) < kMinBootstrapCorners / 2)
-      return no_views(ReasonKind::kFewInFront, double(triangulated.index.size()), kMinBootstrapCorners / 2.0);
+    if (int(triangulated.index.size()) < min_corners() / 2)
+      return no_views(ReasonKind::kFewInFront, double(triangulated.index.size()), min_corners() / 2.0);
     BootstrapResult result;
     result.corners = std::move(triangulated.corners);
     result.parallax_deg = median(triangulated.parallax_deg);

@@ -59,7 +59,7 @@ Reasons Mapper::initialise(const BootstrapResult& bootstrap) {
   window_.activate({1, 1});
   window_.adjust();
   const WindowStats stats = window_.adjust();
-  if (stats.points < kMinFirstPoints) {
+  if (stats.points < count_for_size(kMinFirstPoints, rectification_.target())) {
     map_->discard();
     return {{ReasonKind::kFewPointsMatched, double(stats.points)}};
   }

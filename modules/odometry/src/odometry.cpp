@@ -28,12 +28,28 @@ TrackingParams tracking_params(const OdometryParams& p) {
           p.camera.knows_rolling()};
 }
 
+// The least points in view are those of usual images.
+OdometryParams for_size(OdometryParams p, const Pinhole& camera) {
+  p.status.min_visible = count_for_size(p.status.min_visible, camera);
+  p.status.min_known_points = count_for_size(p.status.min_known_points, camera);
+  p.status.min_edges = count_for_size(p.status.min_edges, camera);
+  return p;
+}
+
 MapperParams mapper_params(const OdometryParams& p) {
   return {p.mapping, p.association, p.camera, p.edge_map, p.alignment.photometric};
 }
 
 MapLinkOptions map_options(const OdometryOptions& o) {
   return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget};
+}
+
+// Why an image is not used; null: it is. A torn one shows half a view, which a map cannot begin with.
+const char* why_unused(ImageFault fault, bool has_pose) {
+  if (fault == ImageFault::kBlank) return "blank: the image shows a tenth of the contrast of those before";
+  if (fault == ImageFault::kRepeated) return "the image before, once more";
+  if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of the image before";
+  return nullptr;
 }
 
 }  // namespace
@@ -72,11 +88,22 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   next.take(frame, where);
   check_image_size(frame.image, camera, where);
   check_pixels(frame.image, where);
+  const ImageExposure exposure = exposures.add(frame.image);
+  if (const char* why = why_unused(exposure.fault, state.has_pose())) return skip(frame, why, exposure.fault);
   order = next;
+  if (exposure.fault != ImageFault::kInterlaced) return use(frame, exposure);
+  if (!std::exchange(is_interlaced, true))
+    report(frame, "the image is interlaced: every second row of it is used");
+  Frame field = frame;
+  field.image = first_field(frame.image);
+  return use(field, exposure);
+}
+
+FrameRecord Odometry::Impl::use(const Frame& frame, const ImageExposure& exposure) {
   publish_camera();
   follow_findings();
   if (concurrent) continue_with_map();
-  const FrameRecord& record = waits_for_map() ? buffer_frame(frame) : follow(frame);
+  const FrameRecord& record = waits_for_map() ? buffer_frame(frame, exposure) : follow(frame, exposure);
   if (!frame_published) frames.publish();
   record_newest_pose(record);
   frames.run();
@@ -89,11 +116,11 @@ void Odometry::Impl::follow_findings() {
   if (state.has_map()) frames.follow_findings(state.segment());
 }
 
-const FrameRecord& Odometry::Impl::follow(const Frame& frame) {
+const FrameRecord& Odometry::Impl::follow(const Frame& frame, const ImageExposure& exposure) {
   if (is_mapping_behind()) map.wait_keyframe();
   if (state.has_map()) change_reference(frame);
   front_end.begin_frame(frame.time);
-  const ArrivedFrame arrived = find_edges(frame, state.has_pose());
+  const ArrivedFrame arrived = find_edges(frame, state.has_pose(), exposure);
   if (state.tracks(arrived.record->evidence.edges)) follow_map(arrived);
   if (!state.has_pose()) track_features(arrived, std::nullopt);
   if (state.bootstraps()) bootstrap_map(arrived);
@@ -104,7 +131,7 @@ bool Odometry::Impl::is_mapping_behind() const {
   return front_end.postponed_keyframes() >= options.max_frames_ahead;
 }
 
-FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
+FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why, ImageFault fault) {
   const std::string where = "Odometry::skip(), frame " + std::to_string(frame.index);
   require_open(where);
   const bool has_time = order.has_own_time(frame);
@@ -112,6 +139,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why) {
   publish_camera();
   FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
   history.interrupt();
+  record.evidence.fault = fault;
   assign_skipped(state.when_skipped(), why, &record);
   frames.publish();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
@@ -136,12 +164,12 @@ void Odometry::Impl::change_reference(const Frame& frame) {
   for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
 }
 
-ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
+ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure) {
   const TraceScope traced(name_of(Stage::kEdges));
   const double start = thread_cpu_ms();
   const std::shared_ptr<const FramePyramid> before = front_end.newest_pyramid();
   const bool had_mask = before && before->border_mask;
-  ArrivedFrame arrived = front_end.find_edges(frame, has_pose);
+  ArrivedFrame arrived = front_end.find_edges(frame, has_pose, exposure);
   if (arrived.pyramid->border_mask && !had_mask)
     report(frame, describe_border_mask(arrived.pyramid->masked_share()));
   if (ego_mask_monitor.take(*arrived.pyramid)) {
@@ -154,6 +182,9 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose) {
   arrived.record = &frames.begin_frame(frame);
   frame_published = false;
   add_image(*arrived.pyramid, &arrived.record->evidence);
+  arrived.record->evidence.fault = exposure.fault;
+  if (arrived.pyramid->is_torn)
+    report(frame, "the image is torn: the part that is of the image before is not used");
   arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
   return arrived;
 }
@@ -346,7 +377,8 @@ Rectification rectification_of(const Camera& camera, const OdometryOptions& opti
 }
 
 Odometry::Odometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options)
-    : impl_(std::make_unique<Impl>(rectification_of(camera, options), params, options)) {}
+    : impl_(std::make_unique<Impl>(rectification_of(camera, options),
+                                   for_size(params, rectification_of(camera, options).target()), options)) {}
 Odometry::~Odometry() = default;
 
 FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }

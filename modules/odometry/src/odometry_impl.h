@@ -32,16 +32,17 @@ struct Odometry::Impl {
   // ---- one frame ----
   FrameRecord process(const Frame& frame);
   void follow_findings();
-  const FrameRecord& follow(const Frame& frame);
+  const FrameRecord& follow(const Frame& frame, const ImageExposure& exposure);
+  FrameRecord use(const Frame& frame, const ImageExposure& exposure);
   bool is_mapping_behind() const;
   // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none
   // of its own: the time of the next frame says how long the gap is.
-  FrameRecord skip(const Frame& frame, const std::string& why);
+  FrameRecord skip(const Frame& frame, const std::string& why, ImageFault fault = ImageFault::kNone);
   void require_open(const std::string& where) const;
   // Self-calibration may have corrected the map: the next images are corrected in the same way.
   void change_reference(const Frame& frame);
   // A frame that throws leaves no record.
-  ArrivedFrame find_edges(const Frame& frame, bool has_pose);
+  ArrivedFrame find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure);
 
   // ---- tracking in a map ----
   // `is_replayed`: it was answered before, and its record is a copy.
@@ -77,7 +78,7 @@ struct Odometry::Impl {
 
   // ---- making a map next to the frames (concurrent_bootstrap.h) ----
   bool waits_for_map() const;
-  const FrameRecord& buffer_frame(const Frame& frame);
+  const FrameRecord& buffer_frame(const Frame& frame, const ImageExposure& exposure);
   BootstrapStatus search_concurrently(const ArrivedFrame& now);
   void continue_with_map();
   // The reference of the map is an earlier frame; those after it are followed now.
@@ -100,6 +101,7 @@ struct Odometry::Impl {
   Pinhole camera, working;
   OdometryState state;
   FrameOrder order;
+  ExposureCheck exposures;
   std::shared_ptr<MapLog> log;
   MotionHistory history;
   FrameLog frames;
@@ -121,6 +123,7 @@ struct Odometry::Impl {
   bool camera_published = false;
   bool frame_published = false;   // the record of the newest frame as it is now
   bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
+  bool is_interlaced = false;     // which was reported
   bool is_closed = false, is_finished = false;
   RealtimeRecord skipped_work;  // once it is closed
 };

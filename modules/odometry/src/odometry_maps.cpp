@@ -77,8 +77,8 @@ void Odometry::Impl::record_segment(const Frame& frame, const NewSegment& begun)
 
 bool Odometry::Impl::waits_for_map() const { return concurrent && concurrent->frames_wait(); }
 
-const FrameRecord& Odometry::Impl::buffer_frame(const Frame& frame) {
-  const ArrivedFrame now = find_edges(frame, false);
+const FrameRecord& Odometry::Impl::buffer_frame(const Frame& frame, const ImageExposure& exposure) {
+  const ArrivedFrame now = find_edges(frame, false, exposure);
   track_features(now, std::nullopt);
   concurrent->keep(now);
   refuse_pose(now.record, {{ReasonKind::kMapInMaking}});

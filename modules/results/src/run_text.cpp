@@ -112,6 +112,7 @@ std::string frames_csv_row(const FrameRecord& frame, const std::vector<std::stri
   append_number(&text, frame.p_right, 4);
   text += frame.is_doubtful_keyframe ? ",1" : ",0";
   text += frame.evidence.stands ? ",1" : ",0";
+  text += frame.T_world_cam_live && std::isnan(frame.p_right) ? ",1" : ",0";
   for (const std::string& stage : stages) {
     text += ',';
     const auto ran = std::find_if(frame.stage_ms.begin(), frame.stage_ms.end(),
@@ -179,7 +180,7 @@ std::string frames_csv(const Run& run) {
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
       "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"
-      "keyframe_doubtful,stands";
+      "keyframe_doubtful,stands,posed_later";
   for (const std::string& stage : stages) text += ",ms_" + one_cell(stage);
   text += '\n';
   for (const FrameRecord& frame : run.frames) text += frames_csv_row(frame, stages);

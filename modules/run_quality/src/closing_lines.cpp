@@ -5,6 +5,7 @@
 
 #include "edgevo/core/formatted.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/guessed_places.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/run_warnings.h"
 #include "edgevo/run_quality/scale_faults.h"
@@ -23,6 +24,8 @@ void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
   if (shown.size() < all.size())
     lines->push_back(
         {formatted("and %zu shorter intervals, listed in summary.yaml", all.size() - shown.size()), true});
+  for (const std::string& line : uncertain_in_words(run))
+    lines->push_back({"NOT TO BE TRUSTED: " + line, true});
 }
 
 // Decided by the rest of the run, so that who reads it should be able to look.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace edgevo {
 namespace {
@@ -13,11 +14,23 @@ constexpr int kJoinedFrames = 10;  // right frames between two intervals that ar
 // poses in the new map.
 constexpr int kComparedWithin = 50;
 
+// A step on the way to a map is no cause, however long it takes.
+bool is_cause(const Reason& reason) {
+  constexpr ReasonKind kSteps[] = {ReasonKind::kFirstView, ReasonKind::kNewFirstView,
+                                   ReasonKind::kSearchBehind, ReasonKind::kMapBegun,
+                                   ReasonKind::kMapInMaking};
+  return std::find(std::begin(kSteps), std::end(kSteps), reason.kind) == std::end(kSteps);
+}
+
+bool has_cause(const Reasons& reasons) {
+  return reasons.empty() || std::any_of(reasons.begin(), reasons.end(), is_cause);
+}
+
 // Counts notes by the kinds of their reasons.
 class ReasonCounts {
  public:
   void add(const FrameRecord& frame) {
-    if (frame.note.empty()) return;
+    if (frame.note.empty() || !has_cause(frame.reasons)) return;
     const auto known = std::find_if(counts_.begin(), counts_.end(),
                                     [&](const Count& c) { return are_alike(*c.reasons, frame.reasons); });
     if (known == counts_.end())

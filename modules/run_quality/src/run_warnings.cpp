@@ -32,6 +32,28 @@ std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
   return std::nullopt;
 }
 
+// Images that are corrupt as a whole.
+std::vector<std::string> image_faults_in_words(const Run& run) {
+  const auto number = [&](ImageFault fault) {
+    return std::count_if(run.frames.begin(), run.frames.end(),
+                         [&](const FrameRecord& f) { return f.evidence.fault == fault; });
+  };
+  const std::string of_all = " of " + std::to_string(run.frames.size()) + " images are ";
+  std::vector<std::string> lines;
+  const auto add = [&](ImageFault fault, const char* what) {
+    if (const auto n = number(fault)) lines.push_back(std::to_string(n) + of_all + what);
+  };
+  add(ImageFault::kTorn,
+      "torn: a part of them is of the image before, and was not used. The driver hands out buffers that are "
+      "still being written.");
+  add(ImageFault::kInterlaced,
+      "interlaced: every second row is of another time, and was not used. De-interlace the video (ffmpeg -vf "
+      "yadif), or record progressive frames.");
+  add(ImageFault::kRepeated, "those before, once more; their frames have no pose of their own.");
+  add(ImageFault::kBlank, "blank between others; their frames have no pose of their own.");
+  return lines;
+}
+
 }  // namespace
 
 bool ran_to_limit(const CameraRefinement& camera) {
@@ -40,7 +62,7 @@ bool ran_to_limit(const CameraRefinement& camera) {
 }
 
 std::vector<std::string> run_warnings(const Run& run) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = image_faults_in_words(run);
   const CameraRefinement& c = run.camera;
   if (c.state == CameraRefinement::State::kAtLimit)
     warnings.push_back(

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "edgevo/alignment/projection.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
 #include "edgevo/core/stage_timer.h"
@@ -11,6 +12,28 @@
 #include "see_points.h"
 
 namespace edgevo {
+namespace {
+
+// Of a torn image only what its own rows show; the whole scene if that is nothing.
+std::shared_ptr<const Reference> in_own_rows(std::shared_ptr<const Reference> scene,
+                                             const FramePyramid& frame, const SE3& T_cur_ref) {
+  if (!frame.is_torn || !T_cur_ref.is_finite()) return scene;
+  std::vector<size_t> kept;
+  const std::vector<CloudPoint>& points = scene->cloud.points;
+  const Pinhole& camera = frame.finest().pinhole;
+  const Eigen::Matrix3d R = T_cur_ref.R();
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Projection p = project(camera, R, T_cur_ref.translation(), points[i].ray, points[i].idepth);
+    const bool is_old = p.valid && camera.contains(p.px) && frame.is_ego(p.px.x(), p.px.y());
+    if (!is_old) kept.push_back(i);
+  }
+  if (kept.empty()) return scene;
+  auto part = std::make_shared<Reference>(*scene);
+  part->cloud = part_of(scene->cloud, kept);
+  return part;
+}
+
+}  // namespace
 
 FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& params,
                    const TrackingOptions& options, MotionHistory* history)
@@ -26,8 +49,9 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
     corners_in_parallel_ = std::make_unique<CornerSearch>(params, options.seed);
 }
 
-ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose) {
+ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure) {
   const RowRectification rows{row_time(builder_.correction()), expected_motion(has_pose), rectification_};
+  builder_.set_old_rows(exposure.old_rows);
   newest_pyramid_ = builder_.build(frame, rows.expected, &masks_);
   StillCells still = masks_.still_cells();
   if (still.empty()) stationary_.clear();
@@ -66,7 +90,7 @@ TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, boo
 // Without what moves by itself; again, if something is found to.
 Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
   const auto scene_at = [&](const SE3& T_cur_ref) {
-    return bodies_.without(reference_, builder_.pinhole(), T_cur_ref);
+    return in_own_rows(bodies_.without(reference_, builder_.pinhole(), T_cur_ref), *now.pyramid, T_cur_ref);
   };
   const auto track = [&](const Reference& scene) { return track_frame(task(now, scene, was_lost)); };
   bodies_.follow(*now.pyramid);
@@ -126,7 +150,8 @@ void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
 TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy) {
   std::optional<CornerJob> corners = corner_job(now, track);
   follow(now, track);
-  const KeyframeDecision decision = keyframes_.decide(track.result, *reference_, is_mapping_busy);
+  const KeyframeDecision decision =
+      keyframes_.decide(track.result, *reference_, is_mapping_busy || now.pyramid->is_torn);
   now.record->keyframe_reason = decision.reason;
   TrackedFrame tracked;
   tracked.frame_index = now.frame.index;

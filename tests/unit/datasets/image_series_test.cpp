@@ -108,5 +108,11 @@ TEST_F(ImageSeries, APatternMatchesNumbersTextAndCharacters) {
   EXPECT_TRUE(matches("", "*"));
 }
 
+TEST_F(ImageSeries, ImagesOneLevelDownAreNamed) {
+  test::write_text(folder_ / "rgb/000001.webp", "");
+  test::write_text(folder_ / "a/notes.txt", "");
+  EXPECT_THAT(refusal(), HasSubstr("give the one below that does: " + (folder_ / "rgb")));
+}
+
 }  // namespace
 }  // namespace edgevo

@@ -57,8 +57,27 @@ TEST(NameTimes, AClockIsRead) {
 
 TEST(NameTimes, NanosecondsOfAnotherClockThatNoVideoHasAreADoubt) {
   EXPECT_EQ(times_of_names({"100000000000000000", "100000000100000000"}, "")->decision.doubt, "");
-  EXPECT_THAT(times_of_names({"20230405123456789", "20230405123456822"}, "")->decision.doubt,
+  EXPECT_THAT(times_of_names({"20239905123456789", "20239905123456822"}, "")->decision.doubt,
               HasSubstr("give --time-unit, or --fps if the numbers count"));
+}
+
+TEST(NameTimes, DatesWithClocksAreRead) {
+  for (const std::vector<std::string>& names :
+       std::vector<std::vector<std::string>>{{"20260517_235959_900", "20260518_000000_000"},
+                                             {"IMG_20260517_235959900", "IMG_20260518_000000000"},
+                                             {"2026-05-17_23-59-59.900", "2026-05-18_00-00-00.000"},
+                                             {"2026-05-17T23:59:59.9Z", "2026-05-18T00:00:00.0Z"},
+                                             {"2026-05-17T23:59:59.9+02:00", "2026-05-18T00:00:00.0+02:00"},
+                                             {"20260517235959900", "20260518000000000"}})
+    EXPECT_NEAR(step_of(names), 0.1, 1e-9) << names[0];
+  EXPECT_EQ(times_of_names({"2026-05-17T23:59:59.9Z"}, "")->times[0], Timestamp{17790623999000000});
+  EXPECT_EQ(step_of({"235957_100", "235957_233", "235958_001"}), 0.133);
+}
+
+TEST(NameTimes, CountersThatLookLikeClocksAreNone) {
+  EXPECT_EQ(step_of({"000017_001", "000018_001"}), 0);
+  EXPECT_EQ(step_of({"000017_001", "000017_002"}), 0);
+  EXPECT_EQ(step_of({"20260517_000017", "20260517_000018"}), 0);
 }
 
 TEST(NameTimes, TheUserMaySetTheUnit) {

@@ -33,20 +33,20 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
       "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"
-      "keyframe_doubtful,stands,ms_edges,ms_alignment,ms_ba");
+      "keyframe_doubtful,stands,posed_later,ms_edges,ms_alignment,ms_ba");
   EXPECT_EQ(
       rows[2],
       "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,399,398,0.000600,,400,0.2000,0.6000,"
-      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,4.100,2.000,");
+      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,6.000,2.000,");
+            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,6.000,2.000,");
   EXPECT_EQ(
       rows[46 - 3],
       "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
-      "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,0,8.200,"
+      "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,0,1,8.200,"
       "2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 52u) << row;
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 53u) << row;
 }
 
 TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {

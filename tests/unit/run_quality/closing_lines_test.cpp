@@ -36,6 +36,34 @@ TEST(ClosingLines, WhatIsNotToBeTrustedIsAWarning) {
   EXPECT_EQ(lines[1].text, "NOT TO BE TRUSTED: frames 6 to 9: few edges");
 }
 
+TEST(ClosingLines, AGuessedPlaceIsNotToBeTrustedUpToTheEnd) {
+  edgevo::Run run = run_with_poses(10, 10);
+  for (size_t i = 0; i < 10; ++i) run.frames[i].segment = i < 6 ? 0 : 1;
+  run.segments = {{"origin", 0}, {"equal speed", 0.5}};
+  const std::vector<ClosingLine> lines = closing_lines(run, "out");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[1].is_warning);
+  EXPECT_EQ(
+      lines[1].text,
+      "NOT TO BE TRUSTED: frames 6 to 9: place and direction are guessed (by equal speed): nothing links "
+      "them to what was before");
+  run.constraints.push_back({"ground", 3, 8, 1, 0.1, true});
+  EXPECT_EQ(closing_lines(run, "out").size(), 3u) << "which gives lengths only";
+  run.constraints.push_back({"features", 3, 8, 1, 0.1, true});
+  EXPECT_EQ(closing_lines(run, "out").size(), 2u);
+}
+
+TEST(ClosingLines, AStepOnTheWayToAMapIsNoReason) {
+  edgevo::Run run = run_with_poses(10, 0);
+  for (size_t i = 0; i < 10; ++i) {
+    run.frames[i].reasons = {i < 7 ? Reason{ReasonKind::kFirstView}
+                                   : Reason{ReasonKind::kFewCorners, 20, 80}};
+    run.frames[i].note = to_string(run.frames[i].reasons);
+  }
+  EXPECT_THAT(failure_statement(run, "it", "").value_or(""),
+              HasSubstr("mostly: only 20 corners in the image"));
+}
+
 TEST(ClosingLines, LinksThatWereTakenForMistakesAreSaid) {
   edgevo::Run run = run_with_poses(10, 10);
   run.constraints = {{"features", 1, 5, 1, 0.02, true}, {"features", 1, 7, 0.7, 0.02, false}};

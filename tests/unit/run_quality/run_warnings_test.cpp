@@ -81,5 +81,14 @@ TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {
   EXPECT_THAT(run_warnings(run), IsEmpty());
 }
 
+TEST(RunWarnings, ImagesThatAreNoOneExposureAreCounted) {
+  edgevo::Run run;
+  run.frames.resize(10);
+  EXPECT_TRUE(run_warnings(run).empty());
+  run.frames[3].evidence.fault = run.frames[6].evidence.fault = ImageFault::kTorn;
+  ASSERT_EQ(run_warnings(run).size(), 1u);
+  EXPECT_THAT(run_warnings(run)[0], ::testing::HasSubstr("2 of 10 images are torn"));
+}
+
 }  // namespace
 }  // namespace edgevo

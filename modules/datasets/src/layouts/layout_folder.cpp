@@ -7,6 +7,7 @@
 #include "layout.h"
 #include "name_times.h"
 #include "rate.h"
+#include "wrapped_order.h"
 
 namespace edgevo {
 namespace {
@@ -26,19 +27,23 @@ void set_times_by_rate(const SourceOptions& options, Sequence* sequence) {
 Sequence read_image_folder(const SourceOptions& options) {
   Sequence sequence;
   sequence.kind = "folder of images";
+  sequence.ordered_by_names = true;
   sequence.images = list_images(options.path, options, &sequence.decisions);
   sequence.camera = choose_or_assume_camera(options, "", seen_images(sequence.images), &sequence.decisions);
-  if (options.fps != 0) {
-    set_times_by_rate(options, &sequence);
-    return sequence;
-  }
   std::vector<std::string> stems;
   for (const std::string& image : sequence.images)
     stems.push_back(std::filesystem::path(image).stem().string());
-  if (auto named = times_of_names(stems, options.time_unit)) {
+  auto named = times_of_names(stems, options.time_unit);
+  if (named) {
     sequence.times = std::move(named->times);
+    order_by_times(named->period_s, &sequence);
+  } else {
+    order_by_counter(&sequence);
+  }
+  if (named && options.fps == 0) {
     sequence.decisions.push_back(named->decision);
   } else {
+    sequence.times.clear();
     set_times_by_rate(options, &sequence);
   }
   return sequence;

@@ -9,6 +9,7 @@
 #include "edgevo/report/page.h"
 #include "edgevo/report/palette.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/guessed_places.h"
 #include "frame_times.h"
 
 namespace edgevo {
@@ -43,6 +44,12 @@ std::string interval_table(const Run& run) {
   return table_html({"frames", "doubtful", "mostly because"}, rows) + more;
 }
 
+std::string uncertain_lines(const Run& run) {
+  std::string lines;
+  for (const std::string& line : uncertain_in_words(run)) lines += note_html(line + ".");
+  return lines;
+}
+
 std::string pictures(const ReportInput& in) {
   if (in.doubtful.pictures.empty()) return "";
   std::string body = "<div class=\"edges\">\n";
@@ -62,7 +69,7 @@ std::string trust_section(const ReportInput& in) {
                                  [](const FrameRecord& f) { return std::isfinite(f.p_right); });
   return section_html("trust", "Trust in each frame",
                       (known ? draw(p_right_chart(in.run)) : note_html("No frame has a probability.")) +
-                          interval_table(in.run) + pictures(in));
+                          interval_table(in.run) + uncertain_lines(in.run) + pictures(in));
 }
 
 }  // namespace edgevo

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "edgevo/core/output_file.h"
-#include "edgevo/run_quality/doubtful_intervals.h"
+#include "edgevo/run_quality/guessed_places.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/run_quality/run_warnings.h"
 #include "edgevo/run_quality/scale_faults.h"
@@ -92,12 +92,6 @@ void write_frames(const Run& run, YamlWriter* y) {
   y->close();
 }
 
-std::vector<std::string> doubtful_in_words(const Run& run) {
-  std::vector<std::string> lines;
-  for (const DoubtfulInterval& interval : doubtful_intervals(run)) lines.push_back(to_string(interval));
-  return lines;
-}
-
 // Sum of the distances between frames within segments.
 double path_length(const Run& run) {
   double length = 0;
@@ -148,7 +142,7 @@ std::string summary_yaml(const SummaryInput& input) {
   write_map(input.run, input.map, &y);
   write_timing(input, &y);
   write_realtime(input.run, &y);
-  y.list("not_to_be_trusted", doubtful_in_words(input.run));
+  y.list("not_to_be_trusted", not_to_be_trusted(input.run));
   y.list("scale_faults", scale_faults_in_words(input.run));
   y.list("not_written", input.not_written);
   y.list("warnings", all_warnings(input));

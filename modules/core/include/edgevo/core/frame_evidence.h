@@ -4,6 +4,7 @@
 // and written to frames.csv. They contain no decision; confidence/frame_status.h derives the status from
 // them. NaN: unknown.
 #include <array>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -67,8 +68,24 @@ struct RelativeScale {
   bool is_linked() const { return ratio > 0; }  // false for NaN
 };
 
+/// What is wrong with an image as a whole (edges/exposure_check.h).
+enum class ImageFault : uint8_t {
+  /// Nothing.
+  kNone,
+  /// Black, white or covered: it shows a tenth of the contrast of the images before.
+  kBlank,
+  /// Every pixel is that of the image before.
+  kRepeated,
+  /// A part is of the image before.
+  kTorn,
+  /// Every second row is of another time.
+  kInterlaced
+};
+
 /// Evidence on one frame.
 struct FrameEvidence {
+  /// What is wrong with the image.
+  ImageFault fault = ImageFault::kNone;
   /// Number of edge pixels on the finest level.
   int edges = 0;
   /// Share of the image's pixels that are black or white, 0 to 1 (edges/image_quality.h).

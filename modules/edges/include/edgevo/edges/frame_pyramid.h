@@ -9,6 +9,7 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/edges/edge_detector.h"
+#include "edgevo/edges/exposure_check.h"
 #include "edgevo/edges/image_correction.h"
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/nearest_field.h"
@@ -55,6 +56,8 @@ struct FramePyramid {
   std::shared_ptr<const Plane<uint8_t>> ego_mask;
   /// The same in the finest level; empty if there are none.
   Plane<uint8_t> ego_area;
+  /// Whether rows of `source` are of the image before: `ego_area` covers them, too.
+  bool is_torn = false;
   /// Edge probability of `source` (edge_probability.h); null for a detector that needs none.
   std::shared_ptr<const Plane<uint8_t>> probability;
   /// Correction applied to `levels` in addition to the camera file.
@@ -99,6 +102,8 @@ class PyramidBuilder {
   /// tests/bench/bench_edges.cpp.
   std::shared_ptr<const FramePyramid> build(const GrayImage& image, const ImageMotion& motion = {},
                                             ViewObserver* observer = nullptr);
+  /// Sets the rows of the next raw image that are not its own (exposure_check.h), for that image only.
+  void set_old_rows(const ImageRows& rows);
   /// Builds the pyramid of a frame, whose name the detector `precomputed` uses to find its files; throws
   /// InputError if there is none.
   std::shared_ptr<const FramePyramid> build(const Frame& frame, const ImageMotion& motion = {},

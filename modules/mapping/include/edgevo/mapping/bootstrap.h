@@ -17,8 +17,14 @@
 
 namespace edgevo {
 
-/// Least number of corners that must survive; half as many must be triangulated.
+/// Least number of corners that must survive; half as many must be triangulated. Of an image of kFullSizePx
+/// and more (count_for_size).
 constexpr int kMinBootstrapCorners = 80;
+/// Geometric mean of the sides from which on an image has the usual counts: that of 320x240, pixels.
+constexpr double kFullSizePx = 277;
+/// A count of corners or edge points for an image of that size: smaller ones have fewer, as their edges are
+/// shorter.
+int count_for_size(int count, const Pinhole& camera);
 /// Median depth of the first map, which sets the arbitrary unit of length.
 constexpr double kFirstMedianDepth = 10.0;
 

@@ -66,7 +66,8 @@ class FrontEnd {
   void begin_frame(Timestamp time) { motion_.begin_frame(time); }
   /// Finds the edges of a frame; its rows are rectified for the expected motion if the frame before has a
   /// pose. Leaves `record` null. Throws InputError for an image of another size.
-  ArrivedFrame find_edges(const Frame& frame, bool has_pose);
+  /// `exposure`: what its pixels show of its exposure.
+  ArrivedFrame find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure = {});
   /// Finds the pose of a frame against the reference. Writes times and evidence to its record.
   Track find_pose(const ArrivedFrame& now, bool was_lost);
   /// Motion from the last frame with a pose to one at T_cur_ref.

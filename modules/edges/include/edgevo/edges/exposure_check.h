@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Is an image one exposure? Drivers hand out buffers that are still being written, so that a part is of the
+// image before; video is interlaced; images are repeated or black. Whatever follows takes all rows of an
+// image for one time.
+#include <vector>
+
+#include "edgevo/core/frame_evidence.h"
+#include "edgevo/core/image.h"
+
+namespace edgevo {
+
+/// Rows begin .. end - 1 of an image; empty: none.
+struct ImageRows {
+  /// First row, and the one after the last.
+  int begin = 0, end = 0;
+  /// Whether there are none.
+  bool empty() const { return begin >= end; }
+  /// Number of rows.
+  int size() const { return end - begin; }
+};
+
+/// What the pixels of an image show of its exposure.
+struct ImageExposure {
+  /// What is wrong with it.
+  ImageFault fault = ImageFault::kNone;
+  /// Of a torn image the rows of the raw image that are of the image before.
+  ImageRows old_rows;
+};
+
+/// Follows the raw images of one camera. Exact: the noise of a sensor does not repeat. What is fixed to the
+/// camera or stands still in a rendering repeats in more than one image, and is no fault.
+class ExposureCheck {
+ public:
+  /// Adds the next image. Only the first of several that are blank or repeated in a row is a fault: then
+  /// something hides the view, or the camera stands. Cost: about 0.3 ms at 1241x376.
+  ImageExposure add(const GrayImage& image);
+  /// Whether the stream is interlaced: two images in a row were.
+  bool is_interlaced() const { return is_interlaced_; }
+
+ private:
+  bool is_blank(const ImageView<uint8_t>& image);
+  ImageRows old_rows(const ImageView<uint8_t>& image);
+
+  std::vector<uint8_t> before_;     // pixels of the image before
+  std::vector<bool> equal_before_;  // its rows that were those of the image before it; empty: not compared
+  double contrast_ = 0;             // of the last image that is not blank, gray levels
+  bool was_blank_ = false, was_combed_ = false, is_interlaced_ = false;
+};
+
+/// The image with every second row, from the second one on, replaced by the mean of its neighbours.
+GrayImage first_field(const GrayImage& image);
+
+}  // namespace edgevo

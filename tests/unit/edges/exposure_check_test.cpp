@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/edges/exposure_check.h"
+
+#include <gtest/gtest.h>
+
+#include "edgevo/core/random.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kWidth = 96, kHeight = 64;
+
+// A texture that has moved to the right by `shift` pixels.
+GrayImage view(int shift) {
+  GrayImage image{kWidth, kHeight, {}};
+  for (int y = 0; y < kHeight; ++y) {
+    Random random(uint64_t(y / 4) + 1);
+    std::vector<uint8_t> blocks;
+    for (int i = 0; i < 64; ++i) blocks.push_back(uint8_t(random.below(256)));
+    for (int x = 0; x < kWidth; ++x) image.pixels.push_back(blocks[size_t((x + 200 - shift) / 5)]);
+  }
+  return image;
+}
+
+void copy_rows(const GrayImage& from, int begin, int end, int step, GrayImage* to) {
+  for (int y = begin; y < end; y += step)
+    std::copy_n(&from.pixels[size_t(y * kWidth)], kWidth, &to->pixels[size_t(y * kWidth)]);
+}
+
+GrayImage even(uint8_t value) {
+  return {kWidth, kHeight, std::vector<uint8_t>(size_t(kWidth * kHeight), value)};
+}
+
+TEST(ExposureCheck, ATornImageIsFoundWithItsRows) {
+  ExposureCheck check;
+  check.add(view(0));
+  check.add(view(3));
+  GrayImage torn = view(6);
+  copy_rows(view(3), 40, kHeight, 1, &torn);
+  const ImageExposure found = check.add(torn);
+  EXPECT_EQ(found.fault, ImageFault::kTorn);
+  EXPECT_EQ(found.old_rows.begin, 40);
+  EXPECT_EQ(found.old_rows.end, kHeight);
+  EXPECT_EQ(check.add(view(9)).fault, ImageFault::kNone);
+  GrayImage upper = view(12);
+  copy_rows(view(9), 0, 20, 1, &upper);
+  EXPECT_EQ(check.add(upper).old_rows.end, 20);
+}
+
+TEST(ExposureCheck, WhatIsFixedToTheCameraIsNoTear) {
+  ExposureCheck check;
+  for (int i = 0; i < 5; ++i) {
+    GrayImage image = view(3 * i);
+    copy_rows(view(0), 44, kHeight, 1, &image);
+    EXPECT_EQ(check.add(image).fault, ImageFault::kNone) << i;
+  }
+}
+
+TEST(ExposureCheck, AWhiteSkyIsNoTear) {
+  ExposureCheck check;
+  for (int i = 0; i < 4; ++i) {
+    GrayImage image = view(3 * i);
+    copy_rows(i == 1 ? view(40) : even(255), 0, 20, 1, &image);
+    EXPECT_EQ(check.add(image).fault, ImageFault::kNone) << i;
+  }
+}
+
+TEST(ExposureCheck, OnlyTheFirstOfSeveralIsAFault) {
+  ExposureCheck check;
+  check.add(view(0));
+  check.add(view(3));
+  EXPECT_EQ(check.add(view(3)).fault, ImageFault::kRepeated);
+  EXPECT_EQ(check.add(view(3)).fault, ImageFault::kNone) << "the camera stands";
+  EXPECT_EQ(check.add(view(6)).fault, ImageFault::kNone);
+  EXPECT_EQ(check.add(even(3)).fault, ImageFault::kBlank);
+  EXPECT_EQ(check.add(even(3)).fault, ImageFault::kNone) << "something covers the lens";
+  EXPECT_EQ(check.add(view(9)).fault, ImageFault::kNone);
+  EXPECT_EQ(check.add(even(255)).fault, ImageFault::kBlank);
+}
+
+TEST(ExposureCheck, InterlacedImagesAreFoundAndOneFieldIsLeft) {
+  ExposureCheck check;
+  GrayImage last;
+  for (int i = 0; i < 3; ++i) {
+    last = view(6 * i);
+    copy_rows(view(6 * i - 3), 1, kHeight, 2, &last);
+    EXPECT_EQ(check.add(last).fault, ImageFault::kInterlaced) << i;
+  }
+  EXPECT_TRUE(check.is_interlaced());
+  const GrayImage field = first_field(last), whole = view(12);
+  EXPECT_TRUE(std::equal(field.pixels.begin(), field.pixels.begin() + kWidth, whole.pixels.begin()));
+  EXPECT_EQ(field.pixels[kWidth], whole.pixels[0]) << "rows 0 and 2 are alike";
+}
+
+}  // namespace
+}  // namespace edgevo
