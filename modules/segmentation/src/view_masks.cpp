@@ -2,8 +2,8 @@
 #include "edgevo/segmentation/view_masks.h"
 
 #include "border_mask.h"
+#include "cell_labels.h"
 #include "ego_mask.h"
-#include "ego_mask_finder.h"
 
 namespace edgevo {
 
@@ -11,7 +11,7 @@ struct ViewMasks::Impl {
   Rectification rectification;
   bool finds_ego_parts;
   BorderMask border;
-  EgoMaskFinder fixed;
+  CellLabels fixed;
   EgoMask own;
   std::shared_ptr<const Plane<uint8_t>> ego_of_image;  // the newest one
 };
