@@ -22,10 +22,11 @@ constexpr double kFixedFound = 0.7;  // share of a fixed part's edges: outlines 
 constexpr double kStill = 0.7;       // share of the edges of a cell that stands still
 constexpr int kDirections = 12;      // of edges: those along the motion keep their place, too
 constexpr double kPriorEdges = 20;   // of each direction, with the share of all
-constexpr size_t kBest = 4;          // edges of a cell that tell its label: the scene shows through
+constexpr size_t kBest = 4;          // edges of a cell that show its label: the scene shows through
 constexpr float kFixed = 16;         // odds of a part: 10^4 edges, each tried in each image
 constexpr double kMinAcross = 0.15;  // smaller eigenvalue of the mean of n n^T, n: normals
 constexpr double kMinMoving = 0.25;  // share of the cells, in a view that moves
+constexpr int kMinTurns = 3;         // that what is amid the view must not follow: else it may be far away
 constexpr double kMinPart = 0.01;    // share of the view: less is harmless
 
 // Interpolated; the place and its neighbours lie inside the image.
@@ -192,6 +193,26 @@ void CellLabels::weigh() {
   }
 }
 
+// Cells whose edges have stayed while the view turned.
+void CellLabels::add_turn(const Eigen::Vector2f& px) {
+  constexpr float kTurnPx = 1.5f;  // across the edges: an edge at its place is within one
+  turned_ += px;
+  for (Cell& c : cells_) {
+    if (!c.is_still() || c.fixed < 0.5f * kFixed) {
+      c.turns = 0, c.turned = turned_;
+      continue;
+    }
+    const Eigen::Vector2f by = turned_ - c.turned;
+    float across = 0;
+    for (const Edge& e : c.edges) across += std::abs(e.nx * by.x() + e.ny * by.y()) / float(c.edges.size());
+    if (across > kTurnPx) ++c.turns, c.turned = turned_;
+  }
+}
+
+void CellLabels::interrupt_turns() {
+  for (Cell& c : cells_) c.turned = turned_;
+}
+
 // The odds of each cell, half by its neighbours; of a cell that has shown little, by them.
 std::vector<float> CellLabels::smooth() const {
   std::vector<float> smooth(cells_.size());
@@ -217,22 +238,25 @@ void CellLabels::add_edges(const ImageEdges& edges) {
   }
 }
 
-// Edges of a single direction may slide along themselves, as those of a kerb do. What is fixed to the camera
-// comes in from the border of the view; what lies amid it may be far ahead.
+// Edges of a single direction may slide along themselves, as those of a kerb do. What lies amid the view may
+// be far ahead, unless it stays there when the view turns.
 bool CellLabels::is_part(const std::vector<int>& cells, double least) const {
+  const int near = columns_ / 12;  // cells: a part comes in from the border, or is held before it
   bool at_border = false;
-  double number = 0, xx = 0, xy = 0, yy = 0, shown = 0, sure = 0;
+  double number = 0, xx = 0, xy = 0, yy = 0, shown = 0, sure = 0, turns = 0;
   for (const int c : cells) {
     const Cell& cell = cells_[size_t(c)];
     shown += !cell.edges.empty(), sure += cell.fixed > (cell.in_part ? 0.6 : 1.0) * least;
+    turns += cell.edges.empty() ? 0 : cell.turns;
     const int x = c % columns_, y = c / columns_;
-    at_border = at_border || x < 2 || y < 2 || x >= columns_ - 2 || y >= rows_ - 2;
+    at_border = at_border || std::min({x, y, columns_ - 1 - x, rows_ - 1 - y}) < near;
     for (const Edge& e : cells_[size_t(c)].edges)
       if (e.fixed > 0.5 * least) ++number, xx += e.nx * e.nx, xy += e.nx * e.ny, yy += e.ny * e.ny;
   }
   const double spread = std::hypot(0.5 * (xx - yy), xy);
-  return at_border && 2 * sure >= shown && double(cells.size()) >= kMinPart * double(cells_.size()) &&
-         number >= 40 && 0.5 * (xx + yy) - spread >= kMinAcross * number;
+  return (at_border || turns >= kMinTurns * shown) && 2 * sure >= shown &&
+         double(cells.size()) >= kMinPart * double(cells_.size()) && number >= 40 &&
+         0.5 * (xx + yy) - spread >= kMinAcross * number;
 }
 
 // Cells that lie together in a part.

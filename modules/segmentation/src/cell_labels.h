@@ -10,6 +10,7 @@
 // probability with which that happens in this image to edges of their direction in cells of the scene: little
 // after a displacement of a pixel or more, nearly 1 while the camera stands. Scene and fixed are then the
 // same motion, and there is no evidence for either: that is a standstill, known without pose and map.
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
@@ -30,6 +31,11 @@ class CellLabels {
   /// Adds the next image: its gradient and its edges, none of them masked; all images have the same size.
   /// Returns true if the area has changed. Cost: 0.2 ms for 8000 edge pixels.
   bool add(const ImageEdges& edges, const Gradient& gradient);
+  /// The view has turned by `px`, pixels of the level, up to the newest image: that much has anything moved
+  /// that is far away.
+  void add_turn(const Eigen::Vector2f& px);
+  /// Forgets what turns have shown: how far the view has turned is unknown.
+  void interrupt_turns();
   /// Area of the fixed parts: 255 on them and a few pixels around; null if there is none.
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.
@@ -49,6 +55,8 @@ class CellLabels {
     std::vector<Edge> edges;   // that may be fixed
     int found = 0, shown = 0;  // of them; edges of the newest image
     float fixed = 0;           // the mean of its best edges
+    int turns = 0;             // of the view, that would have moved its edges if they were far away
+    Eigen::Vector2f turned = Eigen::Vector2f::Zero();  // of the view, at the last one
     bool in_part = false;
     // What has become dark has not moved.
     bool is_dark() const { return shown == 0; }
@@ -82,8 +90,9 @@ class CellLabels {
 
   int width_ = 0, height_ = 0, size_ = 0, columns_ = 0, rows_ = 0;
   std::vector<Cell> cells_;
-  Plane<uint8_t> occupied_;        // 1: an edge of a cell is there
-  std::vector<EdgePixel> before_;  // some edges of the image before
+  Plane<uint8_t> occupied_;                           // 1: an edge of a cell is there
+  std::vector<EdgePixel> before_;                     // some edges of the image before
+  Eigen::Vector2f turned_ = Eigen::Vector2f::Zero();  // pixels, since the first image
   int stood_ = 0, compared_ = 0;
   std::vector<uint8_t> still_;
   std::shared_ptr<const Plane<uint8_t>> area_;
