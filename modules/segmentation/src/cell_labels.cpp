@@ -27,7 +27,8 @@ constexpr float kFixed = 16;         // odds of a part: 10^4 edges, each tried i
 constexpr double kMinAcross = 0.15;  // smaller eigenvalue of the mean of n n^T, n: normals
 constexpr double kMinMoving = 0.25;  // share of the cells, in a view that moves
 constexpr int kMinTurns = 3;         // that what is amid the view must not follow: else it may be far away
-constexpr double kMinPart = 0.01;    // share of the view: less is harmless
+constexpr int kEarly = 60, kSeldom = 4;  // images in which the scene moved; then every so many-th is enough
+constexpr double kMinPart = 0.01;        // share of the view: less is harmless
 
 // Interpolated; the place and its neighbours lie inside the image.
 template <class T>
@@ -44,14 +45,18 @@ float value_at(const Plane<T>& plane, float x, float y) {
 // sides within a pixel. In the gradient, not among the edges: their threshold follows the image, and faint
 // edges of a part fall below it whenever the scene has much contrast.
 bool shows_edge(const Gradient& gradient, float x, float y, float nx, float ny) {
+  constexpr float kAside = 0.25f;  // pixels: within a pixel and a half of the finest level
   const float dx = value_at(gradient.dx, x, y), dy = value_at(gradient.dy, x, y);
   const float along = std::abs(dx * nx + dy * ny);
   if (along < kFaintest * kGradientSteps ||
       along * along < kSameDirection * kSameDirection * (dx * dx + dy * dy))
     return false;
-  const float here = value_at(gradient.magnitude, x, y);
-  return here >= value_at(gradient.magnitude, x - nx, y - ny) &&
-         here > value_at(gradient.magnitude, x + nx, y + ny);
+  const auto has_peak = [&](float at) {  // within half a pixel of it
+    const auto magnitude = [&](float d) { return value_at(gradient.magnitude, x + d * nx, y + d * ny); };
+    const float here = magnitude(at);
+    return here >= magnitude(at - 1) && here > magnitude(at + 1);
+  };
+  return has_peak(-kAside) || has_peak(kAside);
 }
 
 int direction_of(const EdgePixel& e) {
@@ -84,9 +89,7 @@ void CellLabels::find(const ImageEdges& edges, const Gradient& gradient) {
   for (Cell& c : cells_) {
     c.found = c.shown = 0;
     for (Edge& e : c.edges) {
-      const float x = 0.25f * e.nx, y = 0.25f * e.ny;
-      e.is_found = shows_edge(gradient, e.x - x, e.y - y, e.nx, e.ny) ||
-                   shows_edge(gradient, e.x + x, e.y + y, e.nx, e.ny);
+      e.is_found = shows_edge(gradient, e.x, e.y, e.nx, e.ny);
       c.found += e.is_found;
     }
   }
@@ -175,6 +178,7 @@ void CellLabels::weigh() {
                                     0.05, kFixedFound);
     hit[d] = float(std::log(kFixedFound / share)), miss[d] = float(std::log((1 - kFixedFound) / (1 - share)));
   }
+  std::vector<float> odds;
   for (Cell& c : cells_) {
     if (c.is_dark()) continue;
     for (Edge& e : c.edges) {
@@ -183,7 +187,7 @@ void CellLabels::weigh() {
     }
     c.edges.erase(std::remove_if(c.edges.begin(), c.edges.end(), [](const Edge& e) { return e.fixed < 0; }),
                   c.edges.end());
-    std::vector<float> odds;
+    odds.clear();
     for (const Edge& e : c.edges) odds.push_back(e.fixed);
     const size_t best = std::min(kBest, odds.size());
     std::partial_sort(odds.begin(), odds.begin() + std::ptrdiff_t(best), odds.end(), std::greater<>());
@@ -197,6 +201,7 @@ void CellLabels::weigh() {
 void CellLabels::add_turn(const Eigen::Vector2f& px) {
   constexpr float kTurnPx = 1.5f;  // across the edges: an edge at its place is within one
   turned_ += px;
+  has_poses_ = true;
   for (Cell& c : cells_) {
     if (!c.is_still() || c.fixed < 0.5f * kFixed) {
       c.turns = 0, c.turned = turned_;
@@ -239,7 +244,7 @@ void CellLabels::add_edges(const ImageEdges& edges) {
 }
 
 // Edges of a single direction may slide along themselves, as those of a kerb do. What lies amid the view may
-// be far ahead, unless it stays there when the view turns.
+// be far ahead, unless it stays there when the view turns; what comes in from its border is fixed more often.
 bool CellLabels::is_part(const std::vector<int>& cells, double least) const {
   const int near = columns_ / 12;  // cells: a part comes in from the border, or is held before it
   bool at_border = false;
@@ -247,15 +252,18 @@ bool CellLabels::is_part(const std::vector<int>& cells, double least) const {
   for (const int c : cells) {
     const Cell& cell = cells_[size_t(c)];
     shown += !cell.edges.empty(), sure += cell.fixed > (cell.in_part ? 0.6 : 1.0) * least;
-    turns += cell.edges.empty() ? 0 : cell.turns;
+    if (!cell.edges.empty()) turns += cell.in_part ? kMinTurns : cell.turns;
     const int x = c % columns_, y = c / columns_;
     at_border = at_border || std::min({x, y, columns_ - 1 - x, rows_ - 1 - y}) < near;
     for (const Edge& e : cells_[size_t(c)].edges)
       if (e.fixed > 0.5 * least) ++number, xx += e.nx * e.nx, xy += e.nx * e.ny, yy += e.ny * e.ny;
   }
   const double spread = std::hypot(0.5 * (xx - yy), xy);
-  return (at_border || turns >= kMinTurns * shown) && 2 * sure >= shown &&
-         double(cells.size()) >= kMinPart * double(cells_.size()) && number >= 40 &&
+  return turns >= (!at_border   ? kMinTurns
+                   : has_poses_ ? 1
+                                : 0) *
+                      shown &&
+         2 * sure >= shown && double(cells.size()) >= kMinPart * double(cells_.size()) && number >= 40 &&
          0.5 * (xx + yy) - spread >= kMinAcross * number;
 }
 
@@ -357,7 +365,7 @@ bool CellLabels::update_area() {
     number += now[c] && !cells_[c].edges.empty();
     suspected += suspects[c] && !cells_[c].edges.empty();
   }
-  is_undecided_ = compared_ < 60 && suspected > std::max(1.3 * number, 2 * kMinPart * double(now.size()));
+  is_undecided_ = compared_ < kEarly && suspected > std::max(1.3 * number, 3 * kMinPart * double(now.size()));
   if (20 * changed <= number) return false;
   for (size_t c = 0; c < now.size(); ++c) cells_[c].in_part = now[c];
   area_ = number > 0 ? std::make_shared<const Plane<uint8_t>>(drawn(now)) : nullptr;
@@ -381,7 +389,7 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
   if (moves) {
     ++compared_;
     weigh();
-    has_changed = update_area();
+    has_changed = (compared_ < kEarly || compared_ % kSeldom == 0) && update_area();
   }
   if (is_first || moves) add_edges(edges);
   before_.clear();

@@ -97,6 +97,7 @@ class CellLabels {
   std::vector<uint8_t> still_;
   std::shared_ptr<const Plane<uint8_t>> area_;
   bool is_undecided_ = false;
+  bool has_poses_ = false;  // turns are known
 };
 
 }  // namespace edgevo
