@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mask of what is fixed to the camera.
-#include "ego_mask_finder.h"
+#include "cell_labels.h"
 
 #include <gtest/gtest.h>
 
@@ -201,13 +201,15 @@ TEST(EgoMaskFinder, ACameraThatStandsMakesNoMaskWhateverCrosses) {
 TEST(StillCells, AreThoseThatABusDoesNotCover) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   show(&builder, 4, 3, 1.3, no_body);
-  const auto bus = [](double x, double y) -> std::optional<double> {
-    if (x > 250 || y < 60 || y > 260) return std::nullopt;
-    return random_blocks(x - 6, y, 3);
-  };
   builder.build(part_view(12, 5.2, no_body, 5));
   EXPECT_TRUE(builder.masks.still_cells().empty()) << "the view moves";
-  builder.build(part_view(12, 5.2, bus, 6));
+  for (int front = 0; front <= 250; front += 25) {
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x > front || y < 60 || y > 260) return std::nullopt;
+      return random_blocks(x - front, y, 3);
+    };
+    builder.build(part_view(12, 5.2, bus, uint64_t(6 + front)));
+  }
   const StillCells still = builder.masks.still_cells();
   EXPECT_FALSE(still.contain(0.25, 0.5)) << "the bus";
   EXPECT_TRUE(still.contain(0.8, 0.5));
