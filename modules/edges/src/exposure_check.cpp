@@ -12,13 +12,14 @@ namespace {
 
 using View = ImageView<uint8_t>;
 
-// Standard deviation of every fourth pixel, gray levels.
-double contrast_of(const View& image) {
+// Standard deviation of every fourth pixel, in steps of the image's values.
+double contrast_of(const GrayImage& image) {
   constexpr int kStep = 4;
   double n = 0, sum = 0, squares = 0;
   for (int y = 0; y < image.height; y += kStep)
     for (int x = 0; x < image.width; x += kStep) {
-      const double v = image.at(x, y);
+      const size_t at = size_t(y * image.width + x);
+      const double v = image.is_deep() ? double(image.values[at]) : double(image.pixels[at]);
       n += 1, sum += v, squares += v * v;
     }
   return n > 0 ? std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))) : 0;
@@ -62,10 +63,12 @@ bool any_of(const std::vector<bool>& values, const ImageRows& rows) {
 
 }  // namespace
 
-bool ExposureCheck::is_blank(const View& image) {
-  constexpr double kShare = 0.1;  // of the contrast before: that of the noise alone
+// It shows noise alone. A view that is only dark, as after a jump of the exposure, is no blank.
+bool ExposureCheck::is_blank(const GrayImage& image) {
+  constexpr double kShare = 0.1;  // of the contrast before
+  constexpr double kNoise = 4;    // steps
   const double contrast = contrast_of(image);
-  if (contrast < kShare * contrast_) return true;
+  if (contrast < std::min(kNoise, kShare * contrast_)) return true;
   contrast_ = contrast;
   return false;
 }
@@ -88,7 +91,7 @@ ImageRows ExposureCheck::old_rows(const View& image) {
 ImageExposure ExposureCheck::add(const GrayImage& image) {
   const View view = image.view();
   if (before_.size() != image.pixels.size()) before_.clear(), equal_before_.clear();
-  if (is_blank(view)) return {std::exchange(was_blank_, true) ? ImageFault::kNone : ImageFault::kBlank, {}};
+  if (is_blank(image)) return {std::exchange(was_blank_, true) ? ImageFault::kNone : ImageFault::kBlank, {}};
   was_blank_ = false;
   const ImageRows old = old_rows(view);
   before_ = image.pixels;

@@ -26,12 +26,27 @@ FrameRecord& FrameLog::begin_frame(const Frame& frame) {
   return newest_.frame;
 }
 
+FrameRecord& FrameLog::repeat_frame(const Frame& frame) {
+  const FrameAnchored before = newest_;
+  FrameRecord& record = begin_frame(frame);
+  if (!before.anchor) return record;
+  newest_.anchor = before.anchor;
+  record.state = before.frame.state;
+  record.segment = before.frame.segment;
+  record.T_world_cam_live = before.frame.T_world_cam_live;
+  record.covariance = before.frame.covariance;
+  record.p_right = before.frame.p_right;
+  record.evidence = before.frame.evidence;
+  return record;
+}
+
 void FrameLog::publish() { append(newest_); }
 
 void FrameLog::append(FrameAnchored frame) {
   const auto& unit = frame.frame.evidence.unit;
   if (unit && (!unit->is_linked() || unit->by_ground)) unlinked_[frame.frame.index] = frame;
-  history_->report(frame.frame);
+  // Of a repeated image it would be a camera that stands.
+  if (frame.frame.evidence.fault != ImageFault::kRepeated) history_->report(frame.frame);
   log_->append(std::move(frame));
 }
 

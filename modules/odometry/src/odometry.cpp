@@ -46,7 +46,7 @@ MapLinkOptions map_options(const OdometryOptions& o) {
 
 // Why an image is not used; null: it is. A torn one shows half a view, which a map cannot begin with.
 const char* why_unused(ImageFault fault, bool has_pose) {
-  if (fault == ImageFault::kBlank) return "blank: the image shows a tenth of the contrast of those before";
+  if (fault == ImageFault::kBlank) return "blank: the image shows noise alone";
   if (fault == ImageFault::kRepeated) return "the image before, once more";
   if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of the image before";
   return nullptr;
@@ -137,10 +137,15 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why, Ima
   const bool has_time = order.has_own_time(frame);
   const Timestamp time = order.take_skipped(frame, where);
   publish_camera();
-  FrameRecord& record = frames.begin_frame({frame.index, time, {}, {}});
+  const Frame without_image{frame.index, time, {}, {}};
+  FrameRecord& record =
+      fault == ImageFault::kRepeated ? frames.repeat_frame(without_image) : frames.begin_frame(without_image);
   history.interrupt();
   record.evidence.fault = fault;
-  assign_skipped(state.when_skipped(), why, &record);
+  if (record.T_world_cam_live)
+    record.note = why;
+  else
+    assign_skipped(state.when_skipped(), why, &record);
   frames.publish();
   if (has_time && !waits_for_map()) front_end.begin_frame(frame.time);
   frames.run();

@@ -21,6 +21,8 @@ TEST(AStop, BeforeTrafficKeepsThePose) {
     odometry.process(frame);
   }
   const auto run = odometry.finish();
+  for (int k = kStop - 2; k < kStop + kStanding; ++k)
+                run.frames[k].evidence.edges, int(run.frames[k].state));
   const FrameRecord &before = run.frames[kStop - 1], &last = run.frames.back();
   ASSERT_TRUE(last.T_world_cam);
   EXPECT_LT((last.T_world_cam->translation() - before.T_world_cam->translation()).norm(), 0.1)

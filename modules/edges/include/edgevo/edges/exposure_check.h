@@ -39,7 +39,7 @@ class ExposureCheck {
   bool is_interlaced() const { return is_interlaced_; }
 
  private:
-  bool is_blank(const ImageView<uint8_t>& image);
+  bool is_blank(const GrayImage& image);
   ImageRows old_rows(const ImageView<uint8_t>& image);
 
   std::vector<uint8_t> before_;     // pixels of the image before

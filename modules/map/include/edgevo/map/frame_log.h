@@ -47,6 +47,8 @@ class FrameLog {
   void keep(int keyframe_id) { run_.keep(keyframe_id); }
   /// Begins the record of a frame, which becomes the newest one.
   FrameRecord& begin_frame(const Frame& frame);
+  /// As begin_frame(), of a frame that has the image of the newest one: it has the pose of that one, too.
+  FrameRecord& repeat_frame(const Frame& frame);
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.
   void place(int segment, const Reference& reference, const SE3& T_cam_ref);
   /// Announces the newest frame; again if its record has changed since.

@@ -83,7 +83,7 @@ Covered covered(const GrayImage& image, const FramePyramid& masked) {
   return {part_masked / part, scene_masked / scene};
 }
 
-TEST(EgoMaskFinder, ThePartIsMaskedAndTheSceneIsNot) {
+TEST(CellLabels, ThePartIsMaskedAndTheSceneIsNot) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   const auto pyramid = show(&builder, 70, 3, 1.3, gripper);
   ASSERT_TRUE(pyramid->ego_mask);
@@ -103,7 +103,7 @@ GrayImage faint_view(int i, bool is_scene_faint) {
   return part_view(3 * i, 1.3 * i, body, uint64_t(i + 1));
 }
 
-TEST(EgoMaskFinder, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
+TEST(CellLabels, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   for (int i = 0; i < 30; ++i) builder.build(faint_view(i, true));
   std::shared_ptr<const FramePyramid> pyramid;
@@ -114,7 +114,7 @@ TEST(EgoMaskFinder, FaintEdgesStayMaskedWhereTheSceneHasTooMuchContrastForThem) 
   EXPECT_LT(share.of_scene, 0.02);
 }
 
-TEST(EgoMaskFinder, AUniformPartIsMaskedByItsOutline) {
+TEST(CellLabels, AUniformPartIsMaskedByItsOutline) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   std::shared_ptr<const FramePyramid> pyramid;
   for (int i = 0; i < 60; ++i) {
@@ -130,7 +130,7 @@ TEST(EgoMaskFinder, AUniformPartIsMaskedByItsOutline) {
   EXPECT_LT(share.of_scene, 0.02);
 }
 
-TEST(EgoMaskFinder, ASceneWithoutEdgesNextToAPartIsNotMasked) {
+TEST(CellLabels, ASceneWithoutEdgesNextToAPartIsNotMasked) {
   const auto on_a_table = [](double x, double y) -> std::optional<double> {
     if (on_part(x, y)) return gripper(x, y);
     if (y > 190) return 120;
@@ -144,7 +144,7 @@ TEST(EgoMaskFinder, ASceneWithoutEdgesNextToAPartIsNotMasked) {
   EXPECT_FALSE(pyramid->is_ego(360, 260));
 }
 
-TEST(EgoMaskFinder, WhatIsStillInTheMiddleOfTheViewIsFarAhead) {
+TEST(CellLabels, WhatIsStillInTheMiddleOfTheViewIsFarAhead) {
   const auto far = [](double x, double y) -> std::optional<double> {
     if (x < 170 || x > 330 || y < 100 || y > 210) return std::nullopt;
     return random_blocks(x, y, 2);
@@ -153,7 +153,7 @@ TEST(EgoMaskFinder, WhatIsStillInTheMiddleOfTheViewIsFarAhead) {
   EXPECT_FALSE(show(&builder, 40, 3, 1.3, far)->ego_mask);
 }
 
-TEST(EgoMaskFinder, ThePartMayBeInViewUntilTheMaskHolds) {
+TEST(CellLabels, ThePartMayBeInViewUntilTheMaskHolds) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   auto before = show(&builder, 1, 3, 1.3, gripper);
   int changes = 0;
@@ -181,12 +181,12 @@ TEST(PyramidBuilder, TheSameImageHasTheSameEdgesWhateverCameBefore) {
     EXPECT_EQ(first->finest().edges.pixels[i].position(), again->finest().edges.pixels[i].position());
 }
 
-TEST(EgoMaskFinder, ASceneWithoutAPartHasNoMask) {
+TEST(CellLabels, ASceneWithoutAPartHasNoMask) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   EXPECT_FALSE(show(&builder, 60, 2, 0.7, no_body)->ego_mask);
 }
 
-TEST(EgoMaskFinder, ACameraThatStandsMakesNoMaskWhateverCrosses) {
+TEST(CellLabels, ACameraThatStandsMakesNoMaskWhateverCrosses) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   for (int i = 0; i < 60; ++i) {
     const double left = -250 + 12 * i;
@@ -216,7 +216,7 @@ TEST(StillCells, AreThoseThatABusDoesNotCover) {
   EXPECT_TRUE(still.contain(0.999, 0.999));
 }
 
-TEST(EgoMaskFinder, EdgesThatSlideAlongThemselvesAreNoPart) {
+TEST(CellLabels, EdgesThatSlideAlongThemselvesAreNoPart) {
   const auto lines = [](double x, double y) -> std::optional<double> {
     if (!on_part(x, y)) return std::nullopt;
     return int(std::floor(y / 11)) % 2 == 0 ? 50 : 200;
@@ -225,13 +225,13 @@ TEST(EgoMaskFinder, EdgesThatSlideAlongThemselvesAreNoPart) {
   EXPECT_FALSE(show(&builder, 40, 3, 0, lines)->ego_mask);
 }
 
-TEST(EgoMaskFinder, AMaskIsTakenBackWhenWhatItCoversMoves) {
+TEST(CellLabels, AMaskIsTakenBackWhenWhatItCoversMoves) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->ego_mask);
   EXPECT_FALSE(show(&builder, 70, 3, 1.3, no_body, 30)->ego_mask);
 }
 
-TEST(EgoMaskFinder, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
+TEST(CellLabels, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
   const auto part = [](bool is_lit) {
     return [is_lit](double x, double y) -> std::optional<double> {
       if (x < 60 || x > 420 || y < 210) return std::nullopt;
@@ -243,7 +243,7 @@ TEST(EgoMaskFinder, WhatAMaskCoversStaysCoveredWhileNothingThereMoves) {
   EXPECT_TRUE(show(&builder, 25, 3, 1.3, part(false), 30)->is_ego(380, 270)) << "its instruments are dark";
 }
 
-TEST(EgoMaskFinder, AGivenMaskHoldsFromTheFirstImage) {
+TEST(CellLabels, AGivenMaskHoldsFromTheFirstImage) {
   const test::TempFolder folder;
   const std::string path = folder.path() + "/mask.png";
   cv::Mat mask(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255));
