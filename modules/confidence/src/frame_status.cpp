@@ -134,6 +134,12 @@ double covariance_factor(double p_right) {
   return std::min(ratio * ratio, kMax);
 }
 
+StatusParams with_counts(StatusParams params, const std::function<int(int)>& count) {
+  for (int* least : {&params.min_visible, &params.min_known_points, &params.min_edges})
+    *least = count(*least);
+  return params;
+}
+
 bool shows_edges(int edges, const StatusParams& params) { return edges >= params.min_edges; }
 
 bool is_out_of_view(const FrameEvidence& evidence, const StatusParams& params) {

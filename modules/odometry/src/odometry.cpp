@@ -30,9 +30,7 @@ TrackingParams tracking_params(const OdometryParams& p) {
 
 // The least points in view are those of usual images.
 OdometryParams for_size(OdometryParams p, const Pinhole& camera) {
-  p.status.min_visible = count_for_size(p.status.min_visible, camera);
-  p.status.min_known_points = count_for_size(p.status.min_known_points, camera);
-  p.status.min_edges = count_for_size(p.status.min_edges, camera);
+  p.status = with_counts(p.status, [&](int count) { return count_for_size(count, camera); });
   return p;
 }
 

@@ -15,6 +15,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kCellPx = 8;              // of the level: small parts and outlines are seen, too
+constexpr int kMinShown = 2;            // edges, of every other one
 constexpr float kFaintest = 8;          // Sobel units: noise alone makes half as much
 constexpr float kSameDirection = 0.9f;  // cosine
 constexpr double kFixedFound = 0.7;  // share of a fixed part's edges: outlines vanish before their brightness
@@ -66,7 +67,6 @@ int direction_of(const EdgePixel& e) {
 }  // namespace
 
 bool CellLabels::Cell::speaks() const { return int(edges.size()) >= kMinShown && !is_dark(); }
-bool CellLabels::Cell::has_stayed() const { return showed() && kept >= kStill * double(before); }
 bool CellLabels::Cell::is_still() const { return speaks() && found >= kStill * double(edges.size()); }
 
 void CellLabels::prepare(int width, int height) {
@@ -87,12 +87,10 @@ void CellLabels::around(int c, const F& f) const {
 // The edges of before at their place, within some pixels of the finest level.
 void CellLabels::find(const ImageEdges& edges, const Gradient& gradient) {
   for (Cell& c : cells_) {
-    c.found = c.shown = c.before = c.kept = 0;
+    c.found = c.shown = 0;
     for (Edge& e : c.edges) {
-      const bool was_found = e.is_found;
       e.is_found = shows_edge(gradient, e.x, e.y, e.nx, e.ny);
       c.found += e.is_found;
-      c.before += was_found, c.kept += was_found && e.is_found;
     }
   }
   for (size_t i = 0; i < edges.pixels.size(); i += 2)
@@ -121,7 +119,7 @@ bool CellLabels::moves_as_one(const ImageEdges& edges) const {
   cv::dilate(as_mat(now), as_mat(now), cv::getStructuringElement(cv::MORPH_CROSS, {3, 3}));
   std::vector<std::pair<int, int>> left;
   for (const EdgePixel& e : before_)
-    if (cells_[size_t(cell_at(e.x, e.y))].has_gone())
+    if (cells_[size_t(cell_at(e.x, e.y))].has_left())
       left.emplace_back(nearest_pixel(e.x), nearest_pixel(e.y));
   int best = 0, sum = 0, tried = 0;
   for (int dy = -kDown; dy <= kDown; ++dy)
@@ -140,9 +138,7 @@ bool CellLabels::moves_as_one(const ImageEdges& edges) const {
 // What crosses the view covers a standing one little by little, and moves as one; a camera that begins to
 // move shows the whole scene moving.
 bool CellLabels::stands(const ImageEdges& edges) const {
-  Counts n;
-  for (const Cell& c : cells_)
-    if (c.showed() && !c.in_part) ++n.cells, n.still += c.has_stayed(), n.moving += c.has_gone();
+  const Counts n = count();
   if (n.cells == 0) return false;
   if (n.moving < 0.5 * kMinMoving * n.cells) return true;
   const bool may_stand = stood_ > 0 ? n.still >= 0.6 * kMinMoving * n.cells : 2 * n.still >= n.cells;
@@ -153,13 +149,13 @@ bool CellLabels::stands(const ImageEdges& edges) const {
 bool CellLabels::is_compact() const {
   std::vector<int> x, y;
   for (int c = 0; c < int(cells_.size()); ++c)
-    if (cells_[size_t(c)].has_gone()) x.push_back(c % columns_), y.push_back(c / columns_);
+    if (cells_[size_t(c)].has_left()) x.push_back(c % columns_), y.push_back(c / columns_);
   if (x.empty()) return true;
   std::sort(x.begin(), x.end()), std::sort(y.begin(), y.end());
   const size_t low = x.size() / 20, high = x.size() - 1 - low;
   int still = 0;
   for (int v = y[low]; v <= y[high]; ++v)
-    for (int u = x[low]; u <= x[high]; ++u) still += cells_[size_t(v * columns_ + u)].has_stayed();
+    for (int u = x[low]; u <= x[high]; ++u) still += cells_[size_t(v * columns_ + u)].is_still();
   return still < 0.15 * double(x.size());
 }
 
@@ -382,13 +378,10 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
   find(edges, gradient);
   stood_ = !is_first && stands(edges) ? stood_ + 1 : 0;
   still_.assign(cells_.size(), 0);
-  for (Cell& c : cells_) c.is_covered = stood_ > 0 && (c.has_gone() || (c.is_covered && !c.has_stayed()));
   for (int c = 0; c < int(cells_.size()); ++c) {
-    int still = 0;  // of its neighbours, over those that are covered
-    around(c,
-           [&](int n) { still += int(cells_[size_t(n)].has_stayed()) - int(cells_[size_t(n)].is_covered); });
-    const Cell& cell = cells_[size_t(c)];
-    still_[size_t(c)] = cell.showed() ? cell.has_stayed() : still > 0 && !cell.is_covered;
+    int still = 0;  // of it and its neighbours, over those that have left
+    around(c, [&](int n) { still += int(cells_[size_t(n)].is_still()) - int(cells_[size_t(n)].has_left()); });
+    still_[size_t(c)] = cells_[size_t(c)].speaks() ? cells_[size_t(c)].is_still() : still > 0;
   }
   const Counts n = count();
   const bool moves = stood_ == 0 && n.moving > 0 && n.moving >= kMinMoving * n.cells;

@@ -44,8 +44,6 @@ class CellLabels {
   StillCells still_cells() const;
 
  private:
-  static constexpr int kMinShown = 2;  // edges, of every other one
-
   // An edge pixel that a cell has shown; position and unit normal in pixels of the level.
   struct Edge {
     float x, y, nx, ny;
@@ -56,8 +54,6 @@ class CellLabels {
   struct Cell {
     std::vector<Edge> edges;   // that may be fixed
     int found = 0, shown = 0;  // of them; edges of the newest image
-    int before = 0, kept = 0;  // found in the image before; of these, found in the newest one, too
-    bool is_covered = false;   // by what has crossed it since the camera stands
     float fixed = 0;           // the mean of its best edges
     int turns = 0;             // of the view, that would have moved its edges if they were far away
     Eigen::Vector2f turned = Eigen::Vector2f::Zero();  // of the view, at the last one
@@ -67,10 +63,6 @@ class CellLabels {
     bool speaks() const;  // shows enough, then and now
     bool has_left() const { return speaks() && 2 * found < int(edges.size()); }
     bool is_still() const;
-    // The same from one image to the next.
-    bool showed() const { return before >= kMinShown && !is_dark(); }
-    bool has_gone() const { return showed() && 2 * kept < before; }
-    bool has_stayed() const;
   };
   struct Counts {
     int cells = 0, still = 0, moving = 0;

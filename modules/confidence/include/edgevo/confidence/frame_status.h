@@ -69,6 +69,9 @@ void assign_skipped(TrackingState state, std::string note, FrameRecord* record);
 /// below, at most 100.
 double covariance_factor(double p_right);
 
+/// The same thresholds with all least counts as `count` has them, e.g. for images of another size.
+StatusParams with_counts(StatusParams params, const std::function<int(int)>& count);
+
 /// Whether an image with that many edge pixels shows something to follow.
 bool shows_edges(int edges, const StatusParams& params);
 /// Whether next to nothing of known depth is in view. Bad light leaves few points of known depth, too, but
