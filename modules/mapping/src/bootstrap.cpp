@@ -18,7 +18,8 @@
 namespace edgevo {
 int count_for_size(int count, const Pinhole& camera) {
   const double side = std::sqrt(double(camera.width) * camera.height);
-  return side < kFullSizePx ? int(count * side / kFullSizePx) : count;
+  constexpr int kFewest = 8;  // a motion by fewer is no motion
+  return side < kFullSizePx ? std::max(std::min(count, kFewest), int(count * side / kFullSizePx)) : count;
 }
 
 namespace {
