@@ -33,7 +33,7 @@ run_code 0 "$edgevo" mask found -o mask.png
 same "mask" found/mask.png mask.png
 complains "exists already" "$edgevo" mask found -o mask.png
 run_code 0 "$edgevo" mask found -o mask.png --force
-run_code 0 "$edgevo" run part --frames 0:45 --mask part/mask.png -o given
+run_code 0 "$edgevo" run part --frames 0:12 --mask part/mask.png -o given
 run_code 0 "$edgevo" run seq -o without --frames 0:12
 run_code 1 "$edgevo" mask without -o none.png
 [ ! -e none.png ] && ok "no part, no mask" || fail "a mask without a part"

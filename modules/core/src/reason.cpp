@@ -54,7 +54,7 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kMapInMaking:
       return "a map is being made";
     case ReasonKind::kMayBeEgoPart:
-      return "part of the view may be fixed to the camera, or the camera stand: the map waits";
+      return "part of the view may be fixed to the camera: the map waits";
     case ReasonKind::kDiverged:
       return "alignment diverged";
     case ReasonKind::kFewPointsInView:

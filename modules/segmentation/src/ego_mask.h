@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The mask of what is fixed to the camera, in raw images: given as a file, found (cell_labels.h), or
+// The mask of what is fixed to the camera, in raw images: given as a file, found (ego_mask_finder.h), or
 // both.
 #include <memory>
 #include <string>

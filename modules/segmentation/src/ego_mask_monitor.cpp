@@ -29,8 +29,7 @@ bool EgoMaskMonitor::take(const FramePyramid& frame) {
   return true;
 }
 
-bool EgoMaskMonitor::delays_map(bool may_show_ego_part, const StillCells& still, int images) {
-  if (!still.empty() && still.images + 1 >= images) return true;
+bool EgoMaskMonitor::delays_map(bool may_show_ego_part) {
   if (!may_show_ego_part) return false;
   return ++delayed_ <= kMaxDelayed;
 }

@@ -2,8 +2,8 @@
 #include "edgevo/segmentation/view_masks.h"
 
 #include "border_mask.h"
-#include "cell_labels.h"
 #include "ego_mask.h"
+#include "ego_mask_finder.h"
 
 namespace edgevo {
 
@@ -11,10 +11,9 @@ struct ViewMasks::Impl {
   Rectification rectification;
   bool finds_ego_parts;
   BorderMask border;
-  CellLabels fixed;
+  EgoMaskFinder fixed;
   EgoMask own;
   std::shared_ptr<const Plane<uint8_t>> ego_of_image;  // the newest one
-  int level = 0;                                       // of the edges
 };
 
 ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& params)
@@ -24,8 +23,7 @@ ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& param
                      {},
                      EgoMask(params.mask, rectification.camera().pinhole().width,
                              rectification.camera().pinhole().height),
-                     {},
-                     0}) {}
+                     {}}) {}
 ViewMasks::~ViewMasks() = default;
 ViewMasks::ViewMasks(ViewMasks&&) noexcept = default;
 
@@ -39,23 +37,12 @@ bool ViewMasks::wants_edges() const { return impl_->finds_ego_parts; }
 
 void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
                           const ImageCorrection& correction) {
-  impl_->level = level;
   if (!impl_->fixed.add(edges, gradient)) return;
   if (impl_->fixed.area())
     impl_->own.set_found(raw_area(*impl_->fixed.area(), level, impl_->rectification, correction));
   else
     impl_->own.clear_found();
 }
-
-void ViewMasks::add_turn(const Eigen::Matrix3d& R_cur_last) {
-  const Pinhole pinhole = impl_->rectification.target().at_level(impl_->level);
-  const Eigen::Vector3d ahead = R_cur_last.col(2);
-  if (ahead.z() > 0)
-    impl_->fixed.add_turn(Eigen::Vector2d(pinhole.fx * ahead.x(), pinhole.fy * ahead.y()).cast<float>() /
-                          float(ahead.z()));
-}
-
-void ViewMasks::interrupt_turns() { impl_->fixed.interrupt_turns(); }
 
 // What was found in this image holds from the next one on.
 bool ViewMasks::may_show_ego_part() const {

@@ -38,8 +38,7 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonito
   add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
-  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part, now.still,
-                                                   frames_of(*status.result, now.frame.index))) {
+  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part)) {
     resume();
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   }

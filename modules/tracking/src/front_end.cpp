@@ -143,7 +143,6 @@ void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
   const bool stands = now.record->evidence.stands;
   history_->add({(T_cur_ref * reference_->T_ref_world).inverse(), motion_to(T_cur_ref),
                  motion_.frames_since(), stands, track.used_median_motion});
-  masks_.add_turn(motion_to(T_cur_ref).R());
   motion_.follow(T_cur_ref);
   stationary_.follow(now.still, T_cur_ref, stands);
 }
@@ -202,7 +201,6 @@ void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::
   reference_ = std::move(reference);
   motion_.restart(motion);
   history_->begin_map();
-  masks_.interrupt_turns();
   keyframes_.restart();
   coverage_.restart();
   bodies_.clear();

@@ -67,11 +67,6 @@ struct BootstrapResult {
   std::string why;
 };
 
-/// Number of frames from the first view to the newest one.
-inline int frames_of(const BootstrapResult& result, int newest) {
-  return newest - result.views.front().frame_index + 1;
-}
-
 /// Outcome of the newest frame.
 struct BootstrapStatus {
   /// The two views; nothing if they are not ready yet.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// What a run does about parts that are fixed to the camera (segmentation/src/cell_labels.h): when a map
+// What a run does about parts that are fixed to the camera (segmentation/src/ego_mask_finder.h): when a map
 // must wait, and what is said.
 #include <memory>
 #include <string>
 
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/segmentation/still_cells.h"
 
 namespace edgevo {
 
@@ -18,9 +17,8 @@ class EgoMaskMonitor {
   /// One line about the last change.
   const std::string& description() const { return description_; }
   /// Whether no map is to be made of a frame in which a part may be fixed to the camera
-  /// (ViewMasks::may_show_ego_part), which is never for long, or of what has moved by itself: while the
-  /// camera stood in all `images` of the map, `still` in the newest one.
-  bool delays_map(bool may_show_ego_part, const StillCells& still, int images);
+  /// (ViewMasks::may_show_ego_part). Never for long.
+  bool delays_map(bool may_show_ego_part);
 
  private:
   std::shared_ptr<const Plane<uint8_t>> newest_;

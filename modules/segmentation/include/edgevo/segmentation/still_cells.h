@@ -14,8 +14,6 @@ struct StillCells {
   int columns = 0, rows = 0;
   /// By row: 1 for a cell that stands still.
   std::vector<uint8_t> is_still = {};
-  /// Images, up to the newest one, for which the camera has stood.
-  int images = 0;
 
   /// Whether there are none.
   bool empty() const { return is_still.empty(); }

@@ -2,7 +2,6 @@
 #pragma once
 // What the images of one camera show from one to the next without a pose: where no light reaches them, what
 // is fixed to the camera, and what stands still.
-#include <Eigen/Core>
 #include <memory>
 
 #include "edgevo/core/rectification.h"
@@ -27,10 +26,6 @@ class ViewMasks final : public ViewObserver {
   void add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
                  const ImageCorrection& correction) override;
 
-  /// The camera has turned by R_cur_last up to the newest image; call it for each that has a pose.
-  void add_turn(const Eigen::Matrix3d& R_cur_last);
-  /// The next turns have nothing to do with those before: a new map.
-  void interrupt_turns();
   /// Whether a part of the newest view may be fixed to the camera, which the next images will show.
   bool may_show_ego_part() const;
   /// What stands still in the newest view, before a camera that seems to stand; else empty.
