@@ -44,7 +44,7 @@ MapLinkOptions map_options(const OdometryOptions& o) {
 
 // Why an image is not used; null: it is. A torn one shows half a view, which a map cannot begin with.
 const char* why_unused(ImageFault fault, bool has_pose) {
-  if (fault == ImageFault::kRepeated) return "the image before, once more";
+  if (fault == ImageFault::kRepeated && has_pose) return "the image before, once more";
   if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of the image before";
   return nullptr;
 }
