@@ -47,7 +47,7 @@ check "files of the map" "$(ls killed | grep -c '^map.db')" -eq 1
 # A run in the map of another one: its frame and unit, and the file as it was.
 before=$(state_of metres)
 run_code 0 "$edgevo" run "$sequence" -o placed --frames 0:60 --seed 2 --map metres
-check "found in the map" "$(grep -c 'keyframes found in metres/map.db.*metres' stdout)" -eq 1
+check "found in the map" "$(grep -c 'keyframes found in metres, whose.*(metres)' stdout)" -eq 1
 check "places in the map" "$(grep -c '^place,,,-1,' placed/graph.csv)" -ge 3
 [ "$(state_of metres)" = "$before" ] && ok "the map is as it was" || fail "the map changed"
 # awk: largest distance of the poses of both, of a path of 44 m.

@@ -244,6 +244,17 @@ KeptMap read_map(const std::string& path) {
   }
 }
 
+KeptMap read_finished_map(const std::string& path, const Pinhole& pinhole) {
+  const std::string file = fs::is_directory(path) ? (fs::path(path) / kMapFile).string() : path;
+  KeptMap map = read_map(file);
+  check_camera(map, pinhole, file);
+  if (!map.is_finished)
+    throw InputError(file, "was left by a run that did not end, in several units of length",
+                     "`edgevo finish` ends it");
+  map.store.number_epochs({});  // at its end a run has one unit
+  return map;
+}
+
 void check_camera(const KeptMap& map, const Pinhole& pinhole, const std::string& path) {
   const Pinhole& of_map = map.header.pinhole;
   // A camera calibrated twice differs by less.

@@ -44,7 +44,8 @@ MapLinkOptions map_options(const OdometryOptions& o) {
 
 // Why an image is not used; null: it is. A torn one shows half a view, which a map cannot begin with.
 const char* why_unused(ImageFault fault, bool has_pose) {
-  if (fault == ImageFault::kRepeated && has_pose) return "the image before, once more";
+  if (fault == ImageFault::kBlank) return "blank: the image shows noise alone";
+  if (fault == ImageFault::kRepeated) return "the image before, once more";
   if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of the image before";
   return nullptr;
 }
@@ -86,7 +87,8 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   check_image_size(frame.image, camera, where);
   check_pixels(frame.image, where);
   const ImageExposure exposure = exposures.add(frame.image);
-  if (const char* why = why_unused(exposure.fault, state.has_pose())) return skip(frame, why, exposure.fault);
+  if (const char* why = why_unused(exposure.fault, state.has_pose()))
+    return pass_over(frame, why, exposure.fault);
   order = next;
   if (exposure.fault != ImageFault::kInterlaced) return use(frame, exposure);
   if (!std::exchange(is_interlaced, true))
@@ -94,6 +96,14 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   Frame field = frame;
   field.image = first_field(frame.image);
   return use(field, exposure);
+}
+
+// A servo sees at once that there is no pose.
+FrameRecord Odometry::Impl::pass_over(const Frame& frame, const std::string& why, ImageFault fault) {
+  const FrameRecord record = skip(frame, why, fault);
+  if (!record.T_world_cam_live) newest_pose = {};
+  record_newest_pose(record);
+  return record;
 }
 
 FrameRecord Odometry::Impl::use(const Frame& frame, const ImageExposure& exposure) {

@@ -33,6 +33,7 @@ struct Odometry::Impl {
   FrameRecord process(const Frame& frame);
   void follow_findings();
   const FrameRecord& follow(const Frame& frame, const ImageExposure& exposure);
+  FrameRecord pass_over(const Frame& frame, const std::string& why, ImageFault fault);
   FrameRecord use(const Frame& frame, const ImageExposure& exposure);
   bool is_mapping_behind() const;
   // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none

@@ -1,40 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_places.h"
 
-#include <filesystem>
 #include <set>
 #include <utility>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/kept_map/kept_map.h"
-#include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
-namespace {
-
-std::string file_of(const std::string& path) {
-  return std::filesystem::is_directory(path) ? (std::filesystem::path(path) / kMapFile).string() : path;
-}
-
-}  // namespace
 
 KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole)
-    : path_(file_of(path)) {
-  KeptMap map = read_map(path_);
-  check_camera(map, pinhole, path_);
-  if (!map.is_finished)
-    throw InputError(path_, "was left by a run that did not end, in several units of length",
-                     "`edgevo finish` ends it");
+    : path_(path) {
+  KeptMap map = read_finished_map(path, pinhole);
   if (map.is_metric() && scale != "none")
     throw InputError("--scale " + scale, "the map " + path_ + " has metres of its own", "omit --scale");
   is_metric_ = map.is_metric(), scale_sigma_ = map.scale_sigma;
   warnings_ = std::move(map.warnings);
-  auto places = std::make_shared<PlaceStore>(std::move(map.store));
-  places->number_epochs({});  // at its end a run has one unit
-  places_ = std::move(places);
+  places_ = std::make_shared<PlaceStore>(std::move(map.store));
 }
 
 bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }

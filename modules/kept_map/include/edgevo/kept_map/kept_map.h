@@ -62,6 +62,10 @@ KeptMap read_map(const std::string& path);
 /// Throws InputError that names `path`, the map's file, unless the map was made with images of this pinhole.
 void check_camera(const KeptMap& map, const Pinhole& pinhole, const std::string& path);
 
+/// Reads a map that runs are placed in; `path`: its file, or the folder of a run. Its places are of one
+/// epoch. Throws InputError as read_map() and check_camera(), and for the map of a run that did not end.
+KeptMap read_finished_map(const std::string& path, const Pinhole& pinhole);
+
 /// What is in a map, as names and values: keyframes, points, bytes, extent, unit, light, ...
 std::vector<std::pair<std::string, std::string>> describe(const KeptMap& map, const std::string& path);
 
