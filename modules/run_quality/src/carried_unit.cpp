@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edgevo/core/angle.h"
 #include "edgevo/core/formatted.h"
 #include "edgevo/core/order_statistics.h"
 
@@ -92,7 +93,7 @@ std::string to_string(const PureRotation& turn) {
   return formatted(
       "frames %d to %d: a pure rotation by %.0f degrees: the unit of length after it is that "
       "before to %.0f %%",
-      turn.first_frame, turn.last_frame, turn.angle_rad * 180 / M_PI, 100 * turn.sigma);
+      turn.first_frame, turn.last_frame, deg(turn.angle_rad), 100 * turn.sigma);
 }
 
 }  // namespace edgevo

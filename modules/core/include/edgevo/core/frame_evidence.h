@@ -72,7 +72,7 @@ struct RelativeScale {
 enum class ImageFault : uint8_t {
   /// Nothing.
   kNone,
-  /// Black, white or covered: it shows a tenth of the contrast of the images before.
+  /// Black, white or covered: it shows noise alone. A view that is only dark is no blank.
   kBlank,
   /// Every pixel is that of the image before.
   kRepeated,

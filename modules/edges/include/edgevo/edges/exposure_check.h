@@ -44,7 +44,7 @@ class ExposureCheck {
 
   std::vector<uint8_t> before_;     // pixels of the image before
   std::vector<bool> equal_before_;  // its rows that were those of the image before it; empty: not compared
-  double contrast_ = 0;             // of the last image that is not blank, gray levels
+  double contrast_ = 0;             // of the last image that is not blank, steps of its values
   bool was_blank_ = false, was_combed_ = false, is_interlaced_ = false;
 };
 
