@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <opencv2/core/utility.hpp>
 
 #include "edgevo/map/map.h"
 #include "edgevo/odometry/odometry.h"
@@ -89,6 +90,8 @@ Outcome track(int frames, bool moves, const std::string& folder = {}) {
 
 // Runs `track` in a program of its own and waits for its end.
 int signal_of_killed(int frames, const std::string& folder) {
+  cv::setNumThreads(
+      1);  // as the program: the child would wait for threads of a pool that fork() leaves behind
   const pid_t child = fork();
   if (child == 0) {
     track(frames, true, folder);
