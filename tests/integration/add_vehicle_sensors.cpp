@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED: adds wheel odometry, GPS and robot poses to a
-// rawlog of images, made from the ground truth of the camera (TUM). Each step of the odometry has 2 % of
-// noise, each GPS fix 0.5 m; the robot poses are exact. The origin of the vehicle is the camera, which looks
-// forward.
+// add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED [LATE]: adds wheel odometry, GPS and robot poses to
+// a rawlog of images, made from the ground truth of the camera (TUM). Each step of the odometry has 2 % of
+// noise, each GPS fix 0.5 m; the robot poses are exact. The odometry is stamped LATE seconds too late. The
+// origin of the vehicle is the camera, which looks forward.
 #include <mrpt/obs/CObservationGPS.h>
 #include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
@@ -40,7 +40,7 @@ CObservationGPS gps_fix(const Eigen::Vector3d& p) {
 
 class VehicleSensors {
  public:
-  VehicleSensors(const Trajectory& truth, unsigned seed) : random_(seed) {
+  VehicleSensors(const Trajectory& truth, unsigned seed, double late_s) : random_(seed), late_s_(late_s) {
     for (const StampedPose& pose : truth.poses) truth_[pose.time.ticks] = pose.T_world_cam;
   }
   void write(mrpt::Clock::time_point time, RawlogWriter* out) {
@@ -62,12 +62,14 @@ class VehicleSensors {
     for (CObservation* o : {static_cast<CObservation*>(&odometry), static_cast<CObservation*>(&pose),
                             static_cast<CObservation*>(&gps)}) {
       o->timestamp = time;
+      if (o == &odometry) o->timestamp += mrpt::Clock::duration(int64_t(late_s_ * 1e7));  // 100 ns
       out->write(*o);
     }
   }
 
  private:
   std::mt19937 random_;
+  double late_s_;
   std::normal_distribution<double> normal_;
   std::map<int64_t, SE3> truth_;
   Eigen::Vector3d last_ = Eigen::Vector3d::Zero(), odometer_ = Eigen::Vector3d::Zero();
@@ -76,12 +78,13 @@ class VehicleSensors {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::fprintf(stderr, "usage: add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED\n");
+  if (argc != 5 && argc != 6) {
+    std::fprintf(stderr, "usage: add_vehicle_sensors IN.rawlog TRUTH.txt OUT.rawlog SEED [LATE]\n");
     return 2;
   }
   try {
-    VehicleSensors sensors(read_trajectory(argv[2]), unsigned(std::stoul(argv[4])));
+    VehicleSensors sensors(read_trajectory(argv[2]), unsigned(std::stoul(argv[4])),
+                           argc > 5 ? std::stod(argv[5]) : 0);
     RawlogReader in(argv[1]);
     RawlogWriter out(argv[3]);
     while (const auto observation = in.next()) {

@@ -24,7 +24,8 @@ std::optional<Eigen::Vector3d> gps_position(const CObservation& observation) {
   const auto* gps = dynamic_cast<const CObservationGPS*>(&observation);
   if (!gps || !gps->hasMsgClass<gnss::Message_NMEA_GGA>()) return std::nullopt;
   const auto& fix = gps->getMsgByClass<gnss::Message_NMEA_GGA>().fields;
-  if (fix.fix_quality == 0) return std::nullopt;
+  // Both zero: what receivers state that know no place.
+  if (fix.fix_quality == 0 || (fix.latitude_degrees == 0 && fix.longitude_degrees == 0)) return std::nullopt;
   return earth_centred(fix.latitude_degrees, fix.longitude_degrees, fix.altitude_meters);
 }
 

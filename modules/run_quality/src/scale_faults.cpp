@@ -16,6 +16,10 @@ std::string to_string(const ScaleFault& fault) {
   const std::string frames = fault.first_frame == fault.last_frame
                                  ? formatted("at frame %d", fault.first_frame)
                                  : formatted("in frames %d to %d", fault.first_frame, fault.last_frame);
+  if (fault.scattered > 1)
+    return fault.source +
+           formatted(": %d positions displaced by up to %.1f m ", fault.scattered, fault.displacement) +
+           frames;
   if (fault.displacement > 0)
     return fault.source + ": positions displaced by " + formatted("%.1f m ", fault.displacement) + frames;
   if (fault.log_excess_sigma > 0)
@@ -27,6 +31,10 @@ std::string to_string(const ScaleFault& fault) {
 
 std::vector<std::string> scale_faults_in_words(const Run& run) {
   std::vector<std::string> lines;
+  for (const auto& [source, clock] : run.scale.clock_offsets)
+    lines.push_back(
+        source + formatted(": its stamps are %.2f +- %.2f s ", std::abs(clock.late_s), clock.sigma_s) +
+        (clock.late_s > 0 ? "later" : "earlier") + " than the camera's; its times were corrected");
   for (const ScaleFault& fault : run.scale.faults) lines.push_back(to_string(fault));
   return lines;
 }

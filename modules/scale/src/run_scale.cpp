@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "clock_offset.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/scale/ground_height.h"
 #include "edgevo/scale/path.h"
@@ -46,6 +47,30 @@ std::vector<MeasuredPath> measured_paths(const Run& run, const std::vector<UnitP
     measured.push_back(std::move(path));
   }
   return measured;
+}
+
+std::map<std::string, ClockOffset> clock_offsets(const Run& run, const std::vector<UnitPath>& paths,
+                                                 const ScaleSources& sources, const VehicleTracks& tracks,
+                                                 const ScaleParams& params) {
+  std::vector<const Path*> all;
+  for (const UnitPath& path : paths) all.push_back(&path.path);
+  std::map<std::string, ClockOffset> offsets;
+  for (const ScaleSource& source : sources.list) {
+    const auto track = source.sensor() ? tracks.find(*source.sensor()) : tracks.end();
+    if (track == tracks.end()) continue;
+    const auto offset =
+        clock_offset(all, track->second, sensor_in_camera(track->second, run.T_vehicle_cam), params);
+    if (offset) offsets[source.text] = *offset;
+  }
+  return offsets;
+}
+
+VehicleTracks with_stamps_of_camera(const std::map<std::string, ClockOffset>& offsets,
+                                    const ScaleSources& sources, VehicleTracks tracks) {
+  for (const ScaleSource& source : sources.list)
+    if (const auto offset = offsets.find(source.text); offset != offsets.end())
+      tracks[*source.sensor()] = corrected(std::move(tracks[*source.sensor()]), offset->second.late_s);
+  return tracks;
 }
 
 std::string problem_of(const ScaleSource& source) {
@@ -93,6 +118,7 @@ ScaleRecord record_of(const RunScale& scale, const std::vector<std::optional<Sca
                       const Run& run) {
   ScaleRecord record;
   record.faults = scale.faults;
+  record.clock_offsets = scale.clock_offsets;
   std::vector<double> factors, sigmas;
   for (size_t i = 0; i < run.frames.size(); ++i) {
     const ScaleEstimate& e = scale.of_frame[i];
@@ -117,7 +143,9 @@ RunScale estimate_run_scale(const Run& run, const ScaleSources& sources, const V
                             const ScaleParams& params) {
   RunScale result;
   const std::vector<UnitPath> paths = paths_by_unit(run);
-  const std::vector<MeasuredPath> measured = measured_paths(run, paths, sources, tracks, params);
+  result.clock_offsets = clock_offsets(run, paths, sources, tracks, params);
+  const std::vector<MeasuredPath> measured = measured_paths(
+      run, paths, sources, with_stamps_of_camera(result.clock_offsets, sources, tracks), params);
   const ScaleCourse course = solve_scale_course(measured, params);
   if (course.of_path.empty()) {
     result.problem = problem_of(sources);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "edgevo/core/order_statistics.h"
+#include "course_guess.h"
 #include "edgevo/map/map_graph.h"
 #include "edgevo/map/scale_cost.h"
 
@@ -14,8 +14,6 @@ namespace edgevo {
 namespace {
 
 constexpr double kKnotsPerInterval = 2;
-// Knots to each side whose measurements are candidates of a guess: two and a half intervals.
-constexpr size_t kCandidateKnots = 5;
 // Of the logarithm of the scale over one interval: 0.6 to 1.6 % over 40 m on three KITTI drives and one of
 // Karlsruhe, by their ground truth.
 constexpr double kDriftSigma = 0.015;
@@ -34,6 +32,9 @@ struct Knot {
   double begin = 0, end = 0;  // of its interval
   ScaleEstimate scale{1, 0, 0};
 };
+
+// Of the logarithm of the scale from one knot to the next.
+double drift_variance() { return kDriftSigma * kDriftSigma / kKnotsPerInterval; }
 
 double length_of(const Path& path) { return path.back().distance - path.front().distance; }
 
@@ -59,6 +60,7 @@ Constraint of_scale(NodeId from, NodeId to, double scale, double sigma, double f
 
 // Without a choice: in the mode that costs less.
 Constraint in_better_mode(double residual, Constraint c) {
+  if (!c.failure) return c;
   const double square = residual * residual;
   if (scale_cost(c, residual) < square / c.covariance(6, 6)) c.covariance = c.failure->covariance;
   c.failure.reset();
@@ -81,8 +83,8 @@ class CourseGraph {
   void measure();
   std::vector<Constraint> constraints_of_measurements() const;
   std::vector<std::optional<Constraint>> links() const;
-  std::vector<double> candidates(size_t knot) const;
-  std::vector<double> guess() const;
+  CourseGuess guess() const;
+  void fail(const std::vector<bool>& is_fault);
   void fix_modes(const std::vector<double>& guess);
   void add_nodes(const std::vector<double>& guess, MapGraph* graph) const;
   void add_constraints(MapGraph* graph);
@@ -95,6 +97,10 @@ class CourseGraph {
   NodeId node_of_source(size_t source) const { return NodeId::epoch(int(paths_.size()), int(source)); }
   bool has_common(size_t source) const {
     return common_sigma(paths_.front().sources[source].source, params_) > 0;
+  }
+
+  bool slips(size_t source) const {
+    return paths_.front().sources[source].source.kind == ScaleSource::Kind::kOdometry;
   }
 
   const std::vector<MeasuredPath>& paths_;
@@ -116,7 +122,11 @@ double CourseGraph::interval_units(size_t path) const {
   std::vector<double> factors;
   for (const SourceSamples& samples : paths_[path].sources)
     if (const auto factor = rough_scale(samples, params_)) factors.push_back(*factor);
-  return factors.empty() ? whole : std::min(params_.interval / median(factors), whole);
+  if (factors.empty()) return whole;
+  // The smaller of two: a source that jumps measures too much.
+  const auto middle = factors.begin() + std::ptrdiff_t((factors.size() - 1) / 2);
+  std::nth_element(factors.begin(), middle, factors.end());
+  return std::min(params_.interval / *middle, whole);
 }
 
 void CourseGraph::place_knots() {
@@ -176,52 +186,28 @@ std::vector<std::optional<Constraint>> CourseGraph::links() const {
       if (!paths_[knots_[k].path].link_sigma) continue;
       link_sigma = *paths_[knots_[k].path].link_sigma;
     }
-    const double sigma = std::hypot(kDriftSigma / std::sqrt(kKnotsPerInterval), link_sigma);
+    const double sigma = std::hypot(std::sqrt(drift_variance()), link_sigma);
     links[k] =
         of_scale(node(k - 1), node(k), 1, sigma, kUnitChangeProbability, 1, ConstraintKind::kNeighbour);
   }
   return links;
 }
 
-// Logarithms of what was measured near a knot.
-std::vector<double> CourseGraph::candidates(size_t knot) const {
-  const auto first =
-      std::lower_bound(knot_of_.begin(), knot_of_.end(), knot - std::min(knot, kCandidateKnots));
-  const auto last = std::upper_bound(first, knot_of_.end(), knot + kCandidateKnots);
-  std::vector<double> logs;
-  for (auto at = first; at != last; ++at)
-    logs.push_back(std::log(measurements_[size_t(at - knot_of_.begin())].fit.scale.factor));
-  if (logs.empty()) logs.push_back(std::log(measurements_.front().fit.scale.factor));
-  return logs;
+CourseGuess CourseGraph::guess() const {
+  std::vector<KnotMeasurement> measured;
+  for (size_t i = 0; i < measured_.size(); ++i)
+    measured.push_back({knot_of_[i], measurements_[i].source, measured_[i], slips(measurements_[i].source)});
+  return guess_course(measured, links_, drift_variance());
 }
 
-// The least cost along the knots where each takes one of its candidates, by dynamic programming: however many
-// neighbours lie together, the graph then begins at the right side.
-std::vector<double> CourseGraph::guess() const {
-  std::vector<std::vector<double>> logs, costs;
-  std::vector<std::vector<size_t>> before;
-  size_t next = 0;  // measurement
-  for (size_t k = 0; k < knots_.size(); ++k) {
-    logs.push_back(candidates(k));
-    costs.emplace_back(), before.emplace_back();
-    const size_t first = next;
-    while (next < measured_.size() && knot_of_[next] == k) ++next;
-    for (const double x : logs[k]) {
-      size_t best = 0;
-      double least = k == 0 ? 0 : std::numeric_limits<double>::infinity();
-      for (size_t j = 0; k > 0 && j < logs[k - 1].size(); ++j) {
-        const double cost = costs[k - 1][j] + (links_[k] ? scale_cost(*links_[k], x - logs[k - 1][j]) : 0);
-        if (cost < least) least = cost, best = j;
-      }
-      for (size_t i = first; i < next; ++i)
-        least += scale_cost(measured_[i], x - std::log(measured_[i].T_from_to.scale));
-      costs[k].push_back(least), before[k].push_back(best);
-    }
+// Wheels that slip do so: the graph knows nothing of faults that go on.
+void CourseGraph::fail(const std::vector<bool>& is_fault) {
+  for (size_t i = 0; i < measured_.size(); ++i) {
+    if (!is_fault[i] || !slips(measurements_[i].source)) continue;
+    measured_[i].covariance = measured_[i].failure->covariance;
+    measured_[i].failure.reset();
+    measurements_[i].holds = false;
   }
-  std::vector<double> guess(knots_.size());
-  size_t at = size_t(std::min_element(costs.back().begin(), costs.back().end()) - costs.back().begin());
-  for (size_t k = knots_.size(); k-- > 0; at = before[k][at]) guess[k] = std::exp(logs[k][at]);
-  return guess;
 }
 
 void CourseGraph::fix_modes(const std::vector<double>& guess) {
@@ -310,10 +296,11 @@ ScaleCourse CourseGraph::solve() {
   if (measurements_.empty()) return course;
   measured_ = constraints_of_measurements();
   links_ = links();
-  const std::vector<double> begin = guess();
-  if (modes_ == CourseModes::kOfGuess) fix_modes(begin);
+  const CourseGuess begin = guess();
+  fail(begin.is_fault);
+  if (modes_ == CourseModes::kOfGuess) fix_modes(begin.scales);
   MapGraph graph;
-  add_nodes(begin, &graph);
+  add_nodes(begin.scales, &graph);
   add_constraints(&graph);
   adopt(graph.solve());
   fill_unlinked();

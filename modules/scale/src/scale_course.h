@@ -6,7 +6,8 @@
 // linked by how little the scale of the odometry drifts. Each source measures the scale of the interval
 // around each knot. Intervals share half their samples with the next: their variances are multiplied by how
 // often a sample is counted. What all measurements of a source have in common, such as the camera's height,
-// is a node of its own. Any of them can fail.
+// is a node of its own. Any of them can fail; wheels that slip go on doing so, which is cheaper than to slip
+// anew.
 #include <optional>
 #include <vector>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "changed_interval.h"
 
@@ -160,6 +161,41 @@ void add_displaced(const SourceSamples& samples, const Measurements& measured,
   }
 }
 
+// The place between the nearest positions before and after one that are not scattered.
+Eigen::Vector3d between_neighbours(const SourceSamples& samples, const std::vector<size_t>& scattered,
+                                   size_t at) {
+  const auto is_scattered = [&](size_t i) {
+    return std::binary_search(scattered.begin(), scattered.end(), i);
+  };
+  size_t before = at, after = at;
+  while (before > 0 && is_scattered(before)) --before;
+  while (after + 1 < samples.pairs.size() && is_scattered(after)) ++after;
+  if (is_scattered(before)) before = after;
+  if (is_scattered(after)) after = before;
+  return (samples.pairs[before].position + samples.pairs[after].position) / 2;
+}
+
+// One line for all positions of a source that are excluded, each by the interval in whose zone it lies.
+void add_scattered(const SourceSamples& samples, const Measurements& measured,
+                   std::vector<ScaleFault>* faults) {
+  std::map<size_t, double> found;  // by pair, displacement
+  for (const IntervalMeasurement* m : measured)
+    for (const size_t at : m->fit.scattered) {
+      const TrackPair& pair = samples.pairs[at];
+      if (pair.distance >= m->zone_begin && pair.distance < m->zone_end)
+        found[at] = (pair.position - between_neighbours(samples, m->fit.scattered, at)).norm();
+    }
+  if (found.empty()) return;
+  ScaleFault fault;
+  fault.source = samples.source.text;
+  fault.first_frame = samples.pairs[found.begin()->first].frame_index;
+  fault.last_frame = samples.pairs[found.rbegin()->first].frame_index;
+  fault.scattered = int(found.size());
+  for (const auto& [at, displacement] : found)
+    fault.displacement = std::max(fault.displacement, displacement);
+  faults->push_back(fault);
+}
+
 ScaleFault without_measurement(const std::vector<MeasuredPath>& paths, size_t source) {
   ScaleFault fault;
   fault.source = paths.front().sources[source].source.text;
@@ -179,6 +215,7 @@ std::vector<ScaleFault> scale_faults(const std::vector<MeasuredPath>& paths, con
       any |= !measured.empty();
       add_wrong_lengths(paths[p], course.of_path[p], s, measured, &faults);
       add_displaced(paths[p].sources[s], measured, &faults);
+      add_scattered(paths[p].sources[s], measured, &faults);
     }
     if (!any) faults.push_back(without_measurement(paths, s));
   }

@@ -30,10 +30,13 @@ std::vector<Sample> part(const std::vector<Sample>& all, const std::pair<size_t,
 std::optional<IntervalFit> fit_positions(const SourceSamples& samples, double begin, double end,
                                          const ScaleParams& params) {
   const auto range = in_interval(samples.pairs, begin, end);
-  const auto fit = fit_track(part(samples.pairs, range), samples.sensor_in_camera, params);
+  const PositionKind kind = samples.source.kind == ScaleSource::Kind::kOdometry ? PositionKind::kIntegrated
+                                                                                : PositionKind::kAbsolute;
+  const auto fit = fit_track(part(samples.pairs, range), kind, samples.sensor_in_camera, params);
   if (!fit) return std::nullopt;
-  IntervalFit found{fit->scale, fit->R_sensor_world, {}};
+  IntervalFit found{fit->scale, fit->R_sensor_world, {}, {}};
   for (const TrackJump& jump : fit->jumps) found.jumps.push_back({range.first + jump.at, jump.by});
+  for (const size_t pair : fit->scattered) found.scattered.push_back(range.first + pair);
   return found;
 }
 
@@ -62,7 +65,7 @@ std::optional<IntervalFit> fit_interval(const SourceSamples& samples, double beg
   const auto fit = fit_height(part(samples.heights, in_interval(samples.heights, begin, end)),
                               samples.source.value, own_params(params));
   if (!fit) return std::nullopt;
-  return IntervalFit{*fit, Eigen::Matrix3d::Identity(), {}};
+  return IntervalFit{*fit, Eigen::Matrix3d::Identity(), {}, {}};
 }
 
 std::optional<double> rough_scale(const SourceSamples& samples, const ScaleParams& params) {

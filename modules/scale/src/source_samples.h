@@ -34,6 +34,8 @@ struct IntervalFit {
   Eigen::Matrix3d R_sensor_world = Eigen::Matrix3d::Identity();
   /// Of positions; TrackJump::at is a position in SourceSamples::pairs.
   std::vector<TrackJump> jumps;
+  /// Of positions: those that are scattered, as positions in SourceSamples::pairs.
+  std::vector<size_t> scattered;
 };
 
 /// Between two travelled distances, units of the run; nullopt if that interval determines no scale. Without

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/scale/track_scale.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "changed_interval.h"
+#include "edgevo/core/order_statistics.h"
+#include "track_regression.h"
 
 namespace edgevo {
 namespace {
 
 constexpr double kMaxFrameGap_s = 0.5;  // between poses further apart the path is not a straight line
-constexpr double kNoLength = 1e-12;     // metres: added to residuals, where all are 0 none is displaced
-constexpr double kNoSpread = 1e-9;      // units or metres: positions that are all the same fit any scale
 // Of an interval: a receiver jumps where houses and trees hide the sky, in one interval of twenty or fewer.
 constexpr double kJumpProbability = 0.05;
-// Of a step of the camera between two positions, relative: KITTI's are wrong by up to a tenth where a map is
-// young or the view turns. Three of it are no jump of the sensor.
-constexpr double kStepSigma = 0.1, kStepSigmas = 3;
-constexpr double kMotionAxes = 2;    // of the residuals: a vehicle moves in a plane
-constexpr double kOffsetAxes = 3;    // of an offset
+constexpr double kOffsetAxes = 3;  // of an offset
+// A position is compared with so many before and after it, and lies apart beyond so many times the usual
+// distance: noise along one axis does once in 10^5 positions.
+constexpr size_t kNeighbours = 5;
+constexpr double kScattered = 7;
+constexpr double kNoDistance_m = 1e-6;
+// A rough scale is that of steps of a sixteenth of the path; of a path with motion.
+constexpr size_t kRoughSteps = 16;
+constexpr double kNoMotion = 1e-9;   // units
 constexpr size_t kLargestSteps = 3;  // of the residuals, between which an interval may be displaced
 // No more jumps than one for each so many positions: beyond it no noise is left to compare them with.
 constexpr size_t kMinPairsPerJump = 4;
@@ -28,100 +31,8 @@ SE3 interpolate(const SE3& a, const SE3& b, double share) {
   return {a.rotation().slerp(share, b.rotation()), (1 - share) * a.translation() + share * b.translation()};
 }
 
-using Points = std::vector<Eigen::Vector3d>;
-
-// target ~ scale R source + offset of the group.
-struct Fit {
-  double scale = 0;
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
-  double spread = 0;  // summed squares of the sources about the means of their groups
-  Points offsets;     // of the groups
-  Points residuals;   // of the pairs
-  Points arms;        // R (source - mean of its group)
-};
-
-class Regression {
- public:
-  Regression(const std::vector<TrackPair>& pairs, const Eigen::Vector3d& sensor_in_camera, double scale) {
-    for (const TrackPair& pair : pairs) {
-      source_.push_back(pair.T_world_cam.translation());
-      if (scale > 0) source_.back() += pair.T_world_cam.R() * sensor_in_camera / scale;
-      target_.push_back(pair.position);
-    }
-  }
-  size_t size() const { return source_.size(); }
-
-  // `group` of each pair, from 0 on.
-  std::optional<Fit> fit(const std::vector<int>& group) const {
-    const int groups = 1 + *std::max_element(group.begin(), group.end());
-    const Points source_means = means(source_, group, groups), target_means = means(target_, group, groups);
-    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-    double source_squares = 0, target_squares = 0;
-    for (size_t i = 0; i < size(); ++i) {
-      const Eigen::Vector3d s = source_[i] - source_means[size_t(group[i])],
-                            t = target_[i] - target_means[size_t(group[i])];
-      products += t * s.transpose();
-      source_squares += s.squaredNorm(), target_squares += t.squaredNorm();
-    }
-    if (!(std::sqrt(source_squares) > kNoSpread) || !(std::sqrt(target_squares) > kNoSpread))
-      return std::nullopt;
-    Fit fit;
-    fit.spread = source_squares;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(products, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-    if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) signs.z() = -1;
-    fit.R = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-    fit.scale = svd.singularValues().dot(signs) / source_squares;
-    if (!(fit.scale > 0) || !std::isfinite(fit.scale)) return std::nullopt;
-    for (int g = 0; g < groups; ++g)
-      fit.offsets.push_back(target_means[size_t(g)] - fit.scale * (fit.R * source_means[size_t(g)]));
-    for (size_t i = 0; i < size(); ++i) {
-      fit.arms.push_back(fit.R * (source_[i] - source_means[size_t(group[i])]));
-      fit.residuals.push_back(target_[i] - target_means[size_t(group[i])] - fit.scale * fit.arms.back());
-    }
-    return fit;
-  }
-
-  // Whether each jump is more than an error of the camera's own step there.
-  bool is_beyond_steps(const Fit& fit, const std::vector<int>& group) const {
-    for (size_t i = 1; i < size(); ++i) {
-      if (group[i] == group[i - 1]) continue;
-      const double step = fit.scale * (source_[i] - source_[i - 1]).norm();
-      const double jump = (fit.offsets[size_t(group[i])] - fit.offsets[size_t(group[i - 1])]).norm();
-      if (jump < kStepSigmas * kStepSigma * step) return false;
-    }
-    return true;
-  }
-
- private:
-  static Points means(const Points& points, const std::vector<int>& group, int groups) {
-    Points sums(size_t(groups), Eigen::Vector3d::Zero());
-    std::vector<double> counts(size_t(groups), 0.0);
-    for (size_t i = 0; i < points.size(); ++i)
-      sums[size_t(group[i])] += points[i], ++counts[size_t(group[i])];
-    for (size_t g = 0; g < sums.size(); ++g)
-      if (counts[g] > 0) sums[g] /= counts[g];
-    return sums;
-  }
-
-  Points source_, target_;
-};
-
-// Sum of the squared innovations of residuals as an autoregressive process of first order.
-double innovations(const Points& residuals) {
-  double squares = 0, products = 0;
-  for (size_t i = 0; i < residuals.size(); ++i) {
-    squares += residuals[i].squaredNorm();
-    if (i > 0) products += residuals[i].dot(residuals[i - 1]);
-  }
-  const double rho = squares > 0 ? std::clamp(products / squares, 0.0, 1.0) : 0.0;
-  double sum = residuals.front().squaredNorm() * (1 - rho * rho);
-  for (size_t i = 1; i < residuals.size(); ++i) sum += (residuals[i] - rho * residuals[i - 1]).squaredNorm();
-  return sum + double(residuals.size()) * kNoLength * kNoLength;
-}
-
 // Intervals between the largest steps of the residuals, and that whose mean differs most.
-std::vector<IndexInterval> candidates(const Points& residuals) {
+std::vector<IndexInterval> candidates(const Vectors& residuals) {
   std::vector<std::pair<double, size_t>> steps;
   for (size_t i = 1; i < residuals.size(); ++i)
     steps.emplace_back((residuals[i] - residuals[i - 1]).squaredNorm(), i);
@@ -137,6 +48,43 @@ std::vector<IndexInterval> candidates(const Points& residuals) {
   return intervals;
 }
 
+// Distance of a residual from the median of those around it (Hampel 1974): 0 along a slope, and on either
+// side of a jump.
+double from_median(const Vectors& residuals, size_t i) {
+  const size_t first = i - std::min(i, kNeighbours), last = std::min(i + kNeighbours + 1, residuals.size());
+  Eigen::Vector3d middle;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (size_t j = first; j < last; ++j) values.push_back(residuals[j][axis]);
+    middle[axis] = median(std::move(values));
+  }
+  return (residuals[i] - middle).norm();
+}
+
+// Distance of a residual from the mean of its two neighbours: noise, of white residuals or of a random walk.
+double from_neighbours(const Vectors& residuals, size_t i) {
+  const size_t before = i > 0 ? i - 1 : i + 1, after = i + 1 < residuals.size() ? i + 1 : i - 1;
+  return (residuals[i] - (residuals[before] + residuals[after]) / 2).norm();
+}
+
+// Positions that lie apart from those before and after them by more than noise. A path, and a fit that is
+// wrong, change little from one to the next.
+std::vector<bool> scattered(const Vectors& residuals) {
+  std::vector<double> of_two, of_many;
+  for (size_t i = 0; i < residuals.size(); ++i) {
+    of_two.push_back(from_neighbours(residuals, i));
+    of_many.push_back(from_median(residuals, i));
+  }
+  // Where many positions are scattered few have two good neighbours.
+  const double noise = std::max(std::min(median(of_two), median(of_many)), kNoDistance_m);
+  std::vector<bool> is_scattered(residuals.size());
+  for (size_t i = 0; i < residuals.size(); ++i) {
+    const bool is_bend = of_many[i] > 2 * of_two[i];  // 3 times, where the residuals turn back
+    is_scattered[i] = std::min(of_two[i], of_many[i]) > kScattered * noise && !is_bend;
+  }
+  return is_scattered;
+}
+
 // What the residuals must become more probable by, in -2 ln.
 double cost_of_jump(double pairs) {
   return 2 * std::log((1 - kJumpProbability) / kJumpProbability) + gain_by_chance(pairs, kOffsetAxes);
@@ -145,12 +93,12 @@ double cost_of_jump(double pairs) {
 // One interval after another gets an offset of its own, as long as the residuals support it.
 struct Grouped {
   std::vector<int> group;
-  Fit fit;
+  GroupedFit fit;
 };
-std::optional<Grouped> with_jumps(const Regression& regression) {
+std::optional<Grouped> with_jumps(const TrackRegression& regression) {
   const size_t n = regression.size();
   Grouped best{std::vector<int>(n, 0), {}};
-  std::optional<Fit> first = regression.fit(best.group);
+  std::optional<GroupedFit> first = regression.fit(best.group);
   if (!first) return std::nullopt;
   best.fit = *first;
   for (int jump = 1; size_t(jump) * kMinPairsPerJump < n; ++jump) {
@@ -160,7 +108,7 @@ std::optional<Grouped> with_jumps(const Regression& regression) {
     for (const IndexInterval& s : candidates(best.fit.residuals)) {
       std::vector<int> group = best.group;
       std::fill(group.begin() + std::ptrdiff_t(s.begin), group.begin() + std::ptrdiff_t(s.end), jump);
-      std::optional<Fit> fit = regression.fit(group);
+      std::optional<GroupedFit> fit = regression.fit(group);
       if (!fit) continue;
       if (!regression.is_beyond_steps(*fit, group)) continue;
       const double gain = kMotionAxes * double(n) * std::log(before / innovations(fit->residuals));
@@ -182,7 +130,7 @@ std::vector<TrackJump> jumps_of(const Grouped& found) {
 }
 
 // That of a regression's slope, with what successive residuals have in common.
-double relative_sigma(const Fit& fit) {
+double relative_sigma(const GroupedFit& fit) {
   std::vector<double> moments;
   double squares = 0;
   for (size_t i = 0; i < fit.residuals.size(); ++i) {
@@ -215,26 +163,97 @@ std::vector<TrackPair> pair_up(const Path& path, const VehicleTrack& track) {
   return pairs;
 }
 
-std::optional<TrackFit> fit_track(const std::vector<TrackPair>& pairs,
+namespace {
+
+// Some of the pairs, by their places among all.
+struct Selection {
+  std::vector<TrackPair> pairs;
+  std::vector<size_t> places;
+
+  Selection(const std::vector<TrackPair>& all, const std::vector<bool>& is_excluded) {
+    for (size_t i = 0; i < all.size(); ++i)
+      if (!is_excluded[i]) pairs.push_back(all[i]), places.push_back(i);
+  }
+  // Of all pairs: that of the nearest of these before a pair, or after it.
+  std::vector<int> groups_before(const std::vector<int>& group, size_t count) const {
+    std::vector<int> all(count, group.front());
+    for (size_t k = 0; k < places.size(); ++k)
+      std::fill(all.begin() + std::ptrdiff_t(places[k]), all.end(), group[k]);
+    return all;
+  }
+  std::vector<int> groups_after(const std::vector<int>& group, size_t count) const {
+    std::vector<int> all(count, group.back());
+    for (size_t k = places.size(); k-- > 0;) std::fill_n(all.begin(), places[k] + 1, group[k]);
+    return all;
+  }
+  std::vector<int> groups_of_these(const std::vector<int>& all) const {
+    std::vector<int> group;
+    for (const size_t place : places) group.push_back(all[place]);
+    return group;
+  }
+};
+
+// Of an absolute sensor, in a first fit: whatever is wrong with that changes little between neighbours.
+std::vector<bool> scattered_at_first(const std::vector<TrackPair>& pairs, const TrackRegression& regression,
+                                     PositionKind kind) {
+  std::vector<bool> none(pairs.size(), false);
+  if (kind == PositionKind::kIntegrated) return none;
+  const auto fit = regression.fit(std::vector<int>(pairs.size(), 0));
+  return fit ? scattered(fit->residuals) : none;
+}
+
+}  // namespace
+
+std::optional<TrackFit> fit_track(const std::vector<TrackPair>& pairs, PositionKind kind,
                                   const Eigen::Vector3d& sensor_in_camera, const ScaleParams& params) {
-  if (pairs.size() < kMinTrackPairs) return std::nullopt;
   const std::optional<double> rough = rough_scale(pairs);
   if (!rough) return std::nullopt;
   // The sensor's position in units of the run depends on the scale.
-  std::optional<Grouped> found = with_jumps(Regression(pairs, sensor_in_camera, *rough));
+  const TrackRegression all(pairs, sensor_in_camera, *rough);
+  std::vector<bool> is_scattered = scattered_at_first(pairs, all, kind);
+  const Selection first(pairs, is_scattered);
+  if (first.pairs.size() < kMinTrackPairs) return std::nullopt;
+  const std::optional<Grouped> found = with_jumps(TrackRegression(first.pairs, sensor_in_camera, *rough));
   if (!found) return std::nullopt;
-  const auto refined = Regression(pairs, sensor_in_camera, found->fit.scale).fit(found->group);
-  if (!refined) return std::nullopt;
-  found->fit = *refined;
-  const double sigma = relative_sigma(found->fit);
+  // Next to a jump some lay apart by what the first fit was wrong.
+  std::vector<int> group = first.groups_before(found->group, pairs.size());
+  const std::vector<int> group_after = first.groups_after(found->group, pairs.size());
+  Vectors residuals = all.residuals(found->fit, group);
+  const Vectors residuals_after = all.residuals(found->fit, group_after);
+  for (size_t i = 0; i < pairs.size(); ++i)
+    if (residuals_after[i].norm() < residuals[i].norm())
+      residuals[i] = residuals_after[i], group[i] = group_after[i];
+  const std::vector<bool> still = scattered(residuals);
+  for (size_t i = 0; i < pairs.size(); ++i) is_scattered[i] = is_scattered[i] && still[i];
+  const Selection kept(pairs, is_scattered);
+  Grouped refined{kept.groups_of_these(group), {}};
+  const auto fit = TrackRegression(kept.pairs, sensor_in_camera, found->fit.scale).fit(refined.group);
+  if (!fit) return std::nullopt;
+  refined.fit = *fit;
+  const double sigma = relative_sigma(refined.fit);
   if (!(sigma <= params.max_sigma)) return std::nullopt;
-  return TrackFit{{found->fit.scale, sigma, int(pairs.size())}, found->fit.R, jumps_of(*found)};
+  TrackFit track{{refined.fit.scale, sigma, int(kept.pairs.size())}, refined.fit.R, jumps_of(refined), {}};
+  for (TrackJump& jump : track.jumps) jump.at = kept.places[jump.at];
+  for (size_t i = 0; i < pairs.size(); ++i)
+    if (is_scattered[i]) track.scattered.push_back(i);
+  return track;
 }
 
+// Over steps that are long for the path, in the median: whatever a part of the positions does.
 std::optional<double> rough_scale(const std::vector<TrackPair>& pairs) {
   if (pairs.size() < kMinTrackPairs) return std::nullopt;
-  const auto fit = Regression(pairs, Eigen::Vector3d::Zero(), 0).fit(std::vector<int>(pairs.size(), 0));
-  return fit ? std::make_optional(fit->scale) : std::nullopt;
+  const size_t lag = std::max(kMinTrackPairs / 2, pairs.size() / kRoughSteps);
+  std::vector<std::pair<double, double>> steps;  // of the path, of the sensor
+  for (size_t i = lag; i < pairs.size(); ++i)
+    steps.emplace_back((pairs[i].T_world_cam.translation() - pairs[i - lag].T_world_cam.translation()).norm(),
+                       (pairs[i].position - pairs[i - lag].position).norm());
+  std::sort(steps.begin(), steps.end(), std::greater<>());
+  std::vector<double> ratios;
+  for (size_t i = 0; 2 * i <= steps.size() && i < steps.size(); ++i)
+    if (steps[i].first > kNoMotion) ratios.push_back(steps[i].second / steps[i].first);
+  if (ratios.empty()) return std::nullopt;
+  const double scale = median(std::move(ratios));
+  return scale > 0 && std::isfinite(scale) ? std::make_optional(scale) : std::nullopt;
 }
 
 }  // namespace edgevo

@@ -25,6 +25,14 @@ TEST(ScaleFaults, InWords) {
             "gps: gives no scale, since it does not fit the path of the camera");
 }
 
+TEST(ScaleFaults, AClockThatIsOff) {
+  edgevo::Run run;
+  run.scale.clock_offsets["gps"] = {-0.5, 0.012};
+  EXPECT_THAT(scale_faults_in_words(run),
+              ::testing::ElementsAre(
+                  "gps: its stamps are 0.50 +- 0.01 s earlier than the camera's; its times were corrected"));
+}
+
 TEST(ScaleFaults, AreWarningsAmongTheClosingLines) {
   edgevo::Run run;
   run.scale.faults.push_back(wheels());

@@ -21,6 +21,8 @@ struct GroundDrive {
   /// Relative standard deviation of the depths.
   double relative_noise = 0.02;
   unsigned seed = 1;
+  /// The speed changes by this share of half a metre a frame, to and fro, within 9 s.
+  double speed_changes = 0;
 };
 
 struct MadeRun {
@@ -43,7 +45,7 @@ inline std::vector<SE3> true_poses(const GroundDrive& drive) {
     const Eigen::AngleAxisd heading(0.5 * std::sin(0.02 * i), Eigen::Vector3d::UnitY());
     const Eigen::AngleAxisd pitch(drive.pitch, Eigen::Vector3d::UnitX());
     poses.emplace_back(Eigen::Quaterniond(heading * pitch), position);
-    position += heading * Eigen::Vector3d(0, 0, 0.5);
+    position += heading * Eigen::Vector3d(0, 0, 0.5 + 0.5 * drive.speed_changes * std::sin(0.07 * i));
   }
   return poses;
 }

@@ -69,7 +69,7 @@ TEST(ScaleRun, MeasuredFactorActsLikeAGivenOne) {
   scale_run(2.5, "factor=2.5", &given);
   ScaleEstimate estimate;
   estimate.factor = 2.5, estimate.sigma = 0.1, estimate.samples = 10;
-  make_metric({{estimate}, {}, ""}, {}, parse_scale_sources("odometry"), &measured);
+  make_metric({{estimate}, {}, "", {}}, {}, parse_scale_sources("odometry"), &measured);
   EXPECT_TRUE(measured.is_metric());
   EXPECT_LT((measured.frames[0].T_world_cam->matrix() - given.frames[0].T_world_cam->matrix()).norm(), 1e-12);
   EXPECT_LT((measured.frames[0].covariance - given.frames[0].covariance).norm(), 1e-12);

@@ -67,6 +67,9 @@ TEST_F(SeveralSources, HonestOnesAreNotNamed) {
     for (const char* sources : {"odometry,gps", "odometry", "gps", "camera_height=1.65,odometry"}) {
       const RunScale scale = estimate(sources);
       EXPECT_TRUE(scale.faults.empty()) << sources << ", seed " << seed << ": " << scale.faults.size();
+      for (const auto& [source, clock] : scale.clock_offsets)
+        ADD_FAILURE() << sources << ", seed " << seed << ": " << source << " " << clock.late_s << " +- "
+                      << clock.sigma_s;
       EXPECT_LT(std::abs(length_error(scale, sources)), 0.01) << sources << ", seed " << seed;
     }
   }
@@ -157,6 +160,109 @@ TEST_F(SeveralSources, NoneThatFitsIsAProblemThatNamesEach) {
   EXPECT_TRUE(scale.of_frame.empty());
   EXPECT_NE(scale.problem.find("odometry: its positions"), std::string::npos) << scale.problem;
   EXPECT_NE(scale.problem.find("gps: its positions"), std::string::npos) << scale.problem;
+}
+
+// A drive that brakes and speeds up.
+class Clocks : public ::testing::Test {
+ protected:
+  static GroundDrive drive(double speed_changes) {
+    GroundDrive drive = long_drive();
+    drive.speed_changes = speed_changes;
+    return drive;
+  }
+  static test::TimedPath path_of(const MadeRun& made) {
+    test::TimedPath path;
+    for (const FrameRecord& frame : made.run.frames) path.times.push_back(frame.time);
+    path.poses = made.truth;
+    return path;
+  }
+  static RunScale estimate(const MadeRun& made, const std::string& source, const VehicleTracks& tracks) {
+    return estimate_run_scale(made.run, parse_scale_sources(source), tracks, ScaleParams());
+  }
+};
+
+TEST_F(Clocks, ThatAreOffAreFoundAndCorrected) {
+  const MadeRun made = drive_over_ground(drive(0.5));
+  for (const double late : {0.5, -0.3, 1.8})
+    for (unsigned seed = 1; seed <= 3; ++seed)
+      for (const char* source : {"odometry", "gps"}) {
+        const SensorNoise noise{0.02, 0.5, seed};
+        const VehicleTracks tracks{
+            {VehicleSensor::kOdometry, test::delayed(test::wheels_of(path_of(made), noise), late)},
+            {VehicleSensor::kGps, test::delayed(test::gps_of(path_of(made), noise), late)}};
+        const RunScale scale = estimate(made, source, tracks);
+        ASSERT_EQ(scale.clock_offsets.count(source), 1u) << source << " " << late << " s, seed " << seed;
+        const ClockOffset& clock = scale.clock_offsets.at(source);
+        EXPECT_NEAR(clock.late_s, late, 4 * clock.sigma_s + 0.02) << source << ", seed " << seed;
+        EXPECT_LT(clock.sigma_s, 0.1) << source << " " << late << " s, seed " << seed;
+        EXPECT_TRUE(scale.faults.empty()) << source << " " << late << " s, seed " << seed;
+      }
+}
+
+// Also of a sensor ahead of the camera, which turns earlier, as one with a clock that is early does.
+TEST_F(Clocks, ThatAreRightStayAsTheyAre) {
+  for (const double speed_changes : {0.0, 0.5})
+    for (const double ahead : {0.0, 1.0}) {
+      const MadeRun made = drive_over_ground(drive(speed_changes));
+      test::TimedPath path = path_of(made);
+      for (SE3& T : path.poses) T = T * SE3(Eigen::Quaterniond::Identity(), {0.3 * ahead, 0, ahead});
+      for (unsigned seed = 1; seed <= 10; ++seed) {
+        const SensorNoise noise{0.02, 0.5, seed};
+        const VehicleTracks tracks{{VehicleSensor::kOdometry, test::wheels_of(path, noise)},
+                                   {VehicleSensor::kGps, test::gps_of(path, noise)}};
+        for (const auto& [source, clock] : estimate(made, "odometry,gps", tracks).clock_offsets)
+          ADD_FAILURE() << source << " " << ahead << " m ahead, seed " << seed << ": " << clock.late_s;
+      }
+    }
+}
+
+// A third of the drive, alone: the unit of the run does not change unsaid. At the beginning of a drive
+// nothing says which of the two is right.
+TEST_F(SeveralSources, WheelsThatSlipForLongDoNotBendThePath) {
+  for (const double factor : {0.7, 1.2, 1.3, 3.0})
+    for (const double begin : {0.3, 0.67}) {
+      wheels({begin, begin + 0.33, factor});
+      const RunScale scale = estimate("odometry");
+      EXPECT_LT(std::abs(length_error(scale, "odometry")), 0.015) << factor << " at " << begin;
+      EXPECT_LT(largest_error(scale), 0.04) << factor << " at " << begin;
+      ASSERT_EQ(scale.faults.size(), 1u) << factor << " at " << begin;
+      EXPECT_EQ(scale.faults[0].source, "odometry");
+      EXPECT_NEAR(scale.faults[0].first_frame, 800 * begin, 40) << factor << " at " << begin;
+      EXPECT_NEAR(scale.faults[0].last_frame, 800 * begin + 264, 40) << factor << " at " << begin;
+    }
+}
+
+// Three fixes of ten are anywhere within tens of metres.
+TEST_F(SeveralSources, ScatteredFixesAreExcludedAndCounted) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    noise_.seed = seed;
+    gps();
+    std::mt19937 random(seed);
+    std::normal_distribution<double> metres(0, 20);
+    std::bernoulli_distribution is_scattered(0.3);
+    int scattered = 0;
+    for (VehiclePosition& p : tracks_[VehicleSensor::kGps].positions)
+      if (is_scattered(random))
+        p.position += Eigen::Vector3d(metres(random), metres(random), metres(random)), ++scattered;
+    const RunScale scale = estimate("gps");
+    EXPECT_LT(std::abs(length_error(scale, "gps")), 0.01) << seed;
+    EXPECT_LT(largest_error(scale), 0.02) << seed;
+    ASSERT_FALSE(scale.faults.empty()) << seed;
+    int counted = 0;
+    for (const ScaleFault& fault : scale.faults) counted += fault.scattered;
+    EXPECT_NEAR(counted, scattered, 0.2 * scattered) << seed;
+  }
+}
+
+// Fixes of a receiver without any, at latitude 0.
+TEST_F(SeveralSources, FixesAtNowhereHideNoOtherSource) {
+  wheels(), gps();
+  auto& fixes = tracks_[VehicleSensor::kGps].positions;
+  for (size_t i = 300; i < 540; ++i) fixes[i].position = {6.3e6, 0, 0};
+  EXPECT_LT(std::abs(length_error(estimate("gps"), "gps")), 0.01);
+  EXPECT_LT(std::abs(length_error(estimate("odometry,gps"), "odometry,gps")), 0.01);
+  for (size_t i = 0; i < fixes.size(); i += 3) fixes[i].position = {6.3e6, 0, 0};
+  EXPECT_LT(std::abs(length_error(estimate("odometry,gps"), "odometry,gps")), 0.01);
 }
 
 // A camera that is 10 % lower than said.

@@ -120,8 +120,8 @@ std::string scale_section(const Run& run) {
                      html_escaped(how_it_was_found(recorded_scale_sources(run.scale_source)) +
                                   (run.is_metric() ? estimate_text(run) : "")) +
                      "</p>\n";
-  for (const ScaleFault& fault : run.scale.faults)
-    body += "<p class=\"bad\">" + html_escaped(to_string(fault)) + "</p>\n";
+  for (const std::string& line : scale_faults_in_words(run))
+    body += "<p class=\"bad\">" + html_escaped(line) + "</p>\n";
   if (!run.scale.problem.empty()) body += "<p class=\"bad\">" + html_escaped(run.scale.problem) + "</p>\n";
   if (!run.scale.frames.empty() && run.scale.frames.size() == run.frames.size())
     body += draw(scale_chart(run));

@@ -227,8 +227,17 @@ struct ScaleFault {
   /// Logarithm of the lengths that it measures over those of the run, and its standard deviation; 0 and 0
   /// where its positions are displaced.
   double log_excess = 0, log_excess_sigma = 0;
-  /// Displacement of its positions, metres; 0 where its lengths are wrong.
+  /// Displacement of its positions, metres, of scattered ones the largest; 0 where its lengths are wrong.
   double displacement = 0;
+  /// Number of positions, of those between the frames, that are scattered; 0: all are displaced alike.
+  int scattered = 0;
+};
+
+/// By how much a sensor stamps its positions later than the camera stamps its images, and the standard
+/// deviation of that, seconds.
+struct ClockOffset {
+  /// Negative: earlier.
+  double late_s = 0, sigma_s = 0;
 };
 
 /// Metric scale of a run; statistics over the frames with a pose.
@@ -243,6 +252,8 @@ struct ScaleRecord {
   std::vector<FrameScale> frames;
   /// What did not count, by source and time.
   std::vector<ScaleFault> faults;
+  /// Clocks that were found to be off, by source as --scale names it. The scale is that of corrected stamps.
+  std::map<std::string, ClockOffset> clock_offsets;
   /// Reason why the requested scale is not available; else empty.
   std::string problem;
 };

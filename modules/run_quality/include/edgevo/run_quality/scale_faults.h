@@ -13,7 +13,7 @@ namespace edgevo {
 /// like for positions that are displaced and for a source that gave no scale at all.
 std::string to_string(const ScaleFault& fault);
 
-/// All faults of the run, by source and time.
+/// All faults of the run: clocks that are off, then the others by source and time.
 std::vector<std::string> scale_faults_in_words(const Run& run);
 
 }  // namespace edgevo

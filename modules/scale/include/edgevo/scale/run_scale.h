@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The metric scale of a finished run, frame by frame, and the run in metres.
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,13 @@ struct RunScale {
   std::vector<ScaleFault> faults;
   /// Why there is no scale, and what to do; empty if there is one.
   std::string problem;
+  /// Clocks that were found to be off, by source.
+  std::map<std::string, ClockOffset> clock_offsets;
 };
 
 /// Measures the scale along the run by all sources together, which must be estimated ones; `tracks` are those
-/// of their sensors. A source that contradicts the rest does not count there, and is named.
+/// of their sensors. A source that contradicts the rest does not count there, and is named. One whose clock
+/// is off counts with corrected stamps.
 RunScale estimate_run_scale(const Run& run, const ScaleSources& sources, const VehicleTracks& tracks,
                             const ScaleParams& params);
 

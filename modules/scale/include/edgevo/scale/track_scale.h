@@ -10,6 +10,9 @@
 // Positions that are displaced against the others (a GPS fix, or a run of fixes, that jumped) have an
 // offset of their own, where the residuals become more probable by it than a jump is improbable. Residuals
 // are those of an autoregressive process: white as those of GPS, or a random walk as those of wheels.
+//
+// Single positions of an absolute sensor that lie apart from their neighbours in time, as of a receiver
+// between houses, are excluded first: where there are many, no jump would stand out.
 #include <optional>
 #include <vector>
 
@@ -55,14 +58,23 @@ struct TrackFit {
   Eigen::Matrix3d R_sensor_world = Eigen::Matrix3d::Identity();
   /// Jumps, in time order.
   std::vector<TrackJump> jumps;
+  /// Pairs whose positions lie apart from those before and after them; they do not count.
+  std::vector<size_t> scattered;
+};
+
+/// How a sensor comes by its positions.
+enum class PositionKind {
+  kAbsolute,   ///< Each by itself, as GPS: single ones may be anywhere.
+  kIntegrated  ///< Each from the one before, as wheels: an error stays.
 };
 
 /// `sensor_in_camera`: position of the sensor in camera axes, metres (zero if not known). nullopt for fewer
 /// than kMinTrackPairs, a path without motion, and an estimate worse than max_sigma.
-std::optional<TrackFit> fit_track(const std::vector<TrackPair>& pairs,
+std::optional<TrackFit> fit_track(const std::vector<TrackPair>& pairs, PositionKind kind,
                                   const Eigen::Vector3d& sensor_in_camera, const ScaleParams& params);
 
-/// Metres per unit by all pairs, without a search for jumps; nullopt without motion.
+/// Metres per unit by the lengths of steps, for a part of which positions may be anything; nullopt without
+/// motion.
 std::optional<double> rough_scale(const std::vector<TrackPair>& pairs);
 
 }  // namespace edgevo
