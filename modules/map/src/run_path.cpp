@@ -46,8 +46,10 @@ std::optional<Matrix6d> RunPath::covariance_between(int id, int later_id) const 
 }
 
 std::vector<KeyframeInMap> RunPath::keyframes() const {
+  std::map<int, KeyframeInMap> known = marginalised;
+  for (const WindowAdjusted::Active& k : active()) known.emplace(k.id, in_map(k));
   std::vector<KeyframeInMap> all;
-  for (const auto& [id, keyframe] : marginalised) all.push_back(keyframe);
+  for (const auto& [id, keyframe] : known) all.push_back(keyframe);
   return all;
 }
 

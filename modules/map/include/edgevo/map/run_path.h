@@ -30,7 +30,7 @@ struct RunPath {
   const std::vector<WindowAdjusted::Active>& active() const;
   /// As NeighbourPose::covariance, of two keyframes; nothing if it is not known.
   std::optional<Matrix6d> covariance_between(int id, int later_id) const;
-  /// The marginalised keyframes, ascending id.
+  /// All of them, ascending id: a place may be seen again while its keyframe is in the window.
   std::vector<KeyframeInMap> keyframes() const;
   /// All of this for the solution. Refers to this object. `doubt` as in RunSoFar.
   RunSoFar run_so_far(std::function<double(int frame, int later_frame)> doubt) const;
