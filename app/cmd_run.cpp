@@ -116,12 +116,18 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command->add_option(
       "--edge-map", args->edge_map,
       "edge lines besides the points: off, keyframes (per keyframe), full (each 3D edge once; default)");
+  CLI::Option* map =
+      command
+          ->add_option(
+              "--map", args->run.map,
+              "map that an earlier run has kept (its folder, or map.db in it): the run gets its frame and "
+              "unit where its places are recognised; it is not changed without --extend")
+          ->check(path_given());
   command
-      ->add_option(
-          "--map", args->run.map,
-          "map that an earlier run has kept (its folder, or map.db in it): the run gets its frame and "
-          "unit where its places are recognised; it is not changed")
-      ->check(path_given());
+      ->add_flag("--extend", args->run.extend_map,
+                 "with --map, add to the map what it does not have: views of other places, and of its own in "
+                 "other light")
+      ->needs(map);
   command->add_option("--loops", args->loops,
                       "recognise places seen before, correct the map by them, and keep it in map.db: on "
                       "(default) or off; off "

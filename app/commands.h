@@ -39,6 +39,8 @@ void add_mask_command(CLI::App& app, Action* action);
 void add_study_command(CLI::App& app, Action* action);
 void add_calibrate_command(CLI::App& app, Action* action);
 void add_map_command(CLI::App& app, Action* action);
+/// Adds `join`, for maps that runs have kept.
+void add_join_command(CLI::App& app, Action* action);
 void add_bench_command(CLI::App& app, Action* action);
 void add_table_command(CLI::App& app, Action* action);
 void add_compare_command(CLI::App& app, Action* action);

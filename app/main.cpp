@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   edgevo::app::add_study_command(app, &action);
   edgevo::app::add_calibrate_command(app, &action);
   edgevo::app::add_map_command(app, &action);
+  edgevo::app::add_join_command(app, &action);
   edgevo::app::add_bench_command(app, &action);
   edgevo::app::add_table_command(app, &action);
   edgevo::app::add_compare_command(app, &action);

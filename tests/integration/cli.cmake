@@ -10,7 +10,7 @@ endfunction()
 
 edgevo_add_cli_test(render FIXTURES_SETUP cli_scenes)
 foreach(name IN ITEMS simulate relight overlay study run_eval reproducible blackout bad_arguments bad_input bad_files broken_source disk_full
-    output_folder killed degenerate realtime calibrate bench workflow report compare servo edges eval_hints mount lenses forget trace corpus mcap kept_map)
+    output_folder killed degenerate realtime calibrate bench workflow report compare servo edges eval_hints mount lenses forget trace corpus mcap kept_map join)
   edgevo_add_cli_test(${name} FIXTURES_REQUIRED cli_scenes)
 endforeach()
 if(TARGET edgevo_py AND NOT EDGEVO_SANITIZE)

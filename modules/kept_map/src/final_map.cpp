@@ -103,15 +103,6 @@ void write_constraints(Database* grown, const Run& run, const FinalPlaces& place
   }
 }
 
-MapTexts final_texts(MapTexts texts, const Run& run) {
-  texts["finished"] = "1";
-  texts["scale_source"] = run.scale_source;
-  texts["scale_sigma"] = formatted("%.6g", run.scale.sigma);
-  const ImageCorrection& lens = run.camera.correction;
-  texts["correction"] = formatted("%.17g %.17g %.17g", lens.k1, lens.readout_s, lens.focal);
-  return texts;
-}
-
 }  // namespace
 
 MapTexts texts_of(const MapHeader& header) {
@@ -119,6 +110,15 @@ MapTexts texts_of(const MapHeader& header) {
           {"camera", header.camera},
           {"source", header.source},
           {"finished", "0"}};
+}
+
+MapTexts finished_texts(MapTexts texts, const MapEnd& end) {
+  texts["finished"] = "1";
+  texts["scale_source"] = end.scale_source;
+  texts["scale_sigma"] = formatted("%.6g", end.scale_sigma);
+  const ImageCorrection& lens = end.correction;
+  texts["correction"] = formatted("%.17g %.17g %.17g", lens.k1, lens.readout_s, lens.focal);
+  return texts;
 }
 
 Constraint motion_of(const StoredKeyframe& keyframe) {
@@ -143,7 +143,7 @@ void write_final_map(Database* grown, const Run& run, const std::string& path) {
   target.set_log("MEMORY");
   target.execute("PRAGMA page_size=4096; PRAGMA synchronous=FULL; BEGIN");
   make_tables(&target);
-  write_texts(&target, final_texts(*texts, run));
+  write_texts(&target, finished_texts(*texts, {run.scale_source, run.scale.sigma, run.camera.correction}));
   const bool is_final = texts->count("finished") > 0 && texts->at("finished") == "1";
   const FinalPlaces places = write_keyframes(grown, is_final, run, &target);
   write_constraints(grown, run, places, &target);

@@ -11,6 +11,15 @@ namespace edgevo {
 
 /// The texts of a map that has just begun.
 MapTexts texts_of(const MapHeader& header);
+/// What a map is known by at its end.
+struct MapEnd {
+  /// As in KeptMap.
+  std::string scale_source;
+  double scale_sigma = 0;
+  ImageCorrection correction;
+};
+/// The texts of one that is finished.
+MapTexts finished_texts(MapTexts texts, const MapEnd& end);
 
 /// The motion to the next keyframe as a constraint, `next` must be set; and back.
 Constraint motion_of(const StoredKeyframe& keyframe);

@@ -2,41 +2,26 @@
 #include "edgevo/kept_map/map_file_writer.h"
 
 #include <chrono>
-#include <filesystem>
 #include <optional>
 
-#include "edgevo/core/error.h"
 #include "final_map.h"
 #include "keyframe_bytes.h"
+#include "map_file.h"
 #include "map_tables.h"
 
 namespace edgevo {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 // Rows of one transaction: a killed run loses fewer than these.
 constexpr int kMaxWaiting = 4;
 constexpr std::chrono::seconds kMaxWait{1};
 
-void remove_files(const std::string& path) {
-  std::error_code ignored;
-  for (const char* end : {"", "-wal", "-shm"}) fs::remove(path + end, ignored);
-}
-
-std::string name_while_made(const std::string& path) { return path + ".new"; }
-
-void replace(const std::string& path) {
-  std::error_code error;
-  fs::rename(name_while_made(path), path, error);
-  if (error) throw InputError(path, "cannot be replaced: " + error.message(), "see " + name_while_made(path));
-}
-
 // A file of this name has all tables, whenever the program is killed.
 void make_file(const std::string& path, const MapHeader& header) {
-  remove_files(path);
-  remove_files(name_while_made(path));
+  remove_map_files(path);
+  remove_map_files(name_while_made(path));
   {
     Database database(name_while_made(path), Database::Access::kCreate);
     database.set_log("MEMORY");
@@ -45,7 +30,7 @@ void make_file(const std::string& path, const MapHeader& header) {
     write_texts(&database, texts_of(header));
     database.execute("COMMIT");
   }
-  replace(path);
+  take_its_name(path);
 }
 
 }  // namespace
@@ -102,15 +87,9 @@ struct MapFileWriter::Impl {
 
 namespace {
 
-// Does it; a failure of the database becomes one of the file.
 template <class Work>
 void attempt(const std::string& path, const Work& work) {
-  try {
-    work();
-  } catch (const DatabaseError& e) {
-    throw InputError(path, std::string("cannot be written: ") + e.what(),
-                     "free space or give another -o; the map so far is kept");
-  }
+  attempt_writing(path, "free space or give another -o; the map so far is kept", work);
 }
 
 }  // namespace
@@ -168,13 +147,13 @@ void MapFileWriter::flush_old() {
 
 void MapFileWriter::finish(const Run& run) {
   const std::string fresh = name_while_made(impl_->path);
-  remove_files(fresh);
+  remove_map_files(fresh);
   attempt(impl_->path, [&] {
     impl_->commit();
     write_final_map(&*impl_->database, run, fresh);
     impl_->close();
   });
-  replace(impl_->path);
+  take_its_name(impl_->path);
 }
 
 }  // namespace edgevo

@@ -31,10 +31,10 @@ std::vector<Eigen::Vector2d> path_of(const KeptMap& map) {
 
 // Every so many points, so that there are about 200,000.
 std::vector<Eigen::Vector2d> points_of(const KeptMap& map) {
-  constexpr size_t kMaxPoints = 200000;
+  constexpr size_t kMaxDrawn = 200000;
   size_t all = 0, number = 0;
   for (const StoredKeyframe& k : map.store.keyframes()) all += k.record->points.size();
-  const size_t every = all / kMaxPoints + 1;
+  const size_t every = all / kMaxDrawn + 1;
   std::vector<Eigen::Vector2d> points;
   for (const StoredKeyframe& k : map.store.keyframes())
     for (const EdgePoint& p : k.record->points) {

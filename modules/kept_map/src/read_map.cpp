@@ -244,13 +244,32 @@ KeptMap read_map(const std::string& path) {
   }
 }
 
-KeptMap read_finished_map(const std::string& path, const Pinhole& pinhole) {
-  const std::string file = fs::is_directory(path) ? (fs::path(path) / kMapFile).string() : path;
-  KeptMap map = read_map(file);
-  check_camera(map, pinhole, file);
+std::string map_file_of(const std::string& path) {
+  return fs::is_directory(path) ? (fs::path(path) / kMapFile).string() : path;
+}
+
+namespace {
+
+void check_finished(const KeptMap& map, const std::string& file) {
   if (!map.is_finished)
     throw InputError(file, "was left by a run that did not end, in several units of length",
                      "`edgevo finish` ends it");
+}
+
+}  // namespace
+
+KeptMap read_finished_map(const std::string& path) {
+  const std::string file = map_file_of(path);
+  KeptMap map = read_map(file);
+  check_finished(map, file);
+  return map;
+}
+
+KeptMap read_finished_map(const std::string& path, const Pinhole& pinhole) {
+  const std::string file = map_file_of(path);
+  KeptMap map = read_map(file);
+  check_camera(map, pinhole, file);
+  check_finished(map, file);
   map.store.number_epochs({});  // at its end a run has one unit
   return map;
 }

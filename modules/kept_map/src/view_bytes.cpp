@@ -8,10 +8,12 @@
 namespace edgevo {
 namespace {
 
-constexpr double kPerPixel = 16;
+constexpr double kCornerSteps = 16;
 constexpr size_t kMaxCorners = 1 << 16, kMaxEdgePixels = 1 << 22;
 
-uint16_t in_16_bits(float px) { return uint16_t(std::clamp(std::lround(px * kPerPixel), 0L, 65535L)); }
+uint16_t in_corner_steps(float px) {
+  return uint16_t(std::clamp(std::lround(px * kCornerSteps), 0L, 65535L));
+}
 
 std::string head_of(const RememberedView& view) {
   std::string head;
@@ -41,7 +43,7 @@ std::vector<CornerDescriptor> descriptors_of(const std::string& bytes) {
 void add_corners(const ViewCorners& corners, PieceWriter* out) {
   std::vector<uint16_t> x, y;
   for (const Eigen::Vector2f& px : corners.px)
-    x.push_back(in_16_bits(px.x())), y.push_back(in_16_bits(px.y()));
+    x.push_back(in_corner_steps(px.x())), y.push_back(in_corner_steps(px.y()));
   out->add(x);
   out->add(y);
   out->add(bytes_of(corners.descriptors));
@@ -52,7 +54,7 @@ ViewCorners read_corners(size_t count, PieceReader* in) {
   const std::vector<uint16_t> x = in->next_16(count), y = in->next_16(count);
   corners.descriptors = descriptors_of(in->next());
   for (size_t i = 0; in->ok() && i < count; ++i)
-    corners.px.emplace_back(float(x[i] / kPerPixel), float(y[i] / kPerPixel));
+    corners.px.emplace_back(float(x[i] / kCornerSteps), float(y[i] / kCornerSteps));
   return corners;
 }
 

@@ -13,20 +13,8 @@ constexpr size_t kLeastGap = 30;
 constexpr size_t kCandidates = 3;
 // A place is believed if so many of the last queries agree.
 constexpr size_t kAgreeing = 3, kRecent = 6;
-// Squared Mahalanobis distance of seven directions that is exceeded once in 370 times: three sigmas.
-constexpr double kThreeSigmas = 21.8;
-
-double squared_distance(const Sim3& measured, const Sim3& expected, const Matrix7d& covariance) {
-  const Vector7d off = (measured * expected.inverse()).log();
-  return off.dot(covariance.ldlt().solve(off));
-}
-
-Matrix7d moved(const Sim3& T, const Matrix7d& covariance) {
-  const Matrix7d A = T.adjoint();
-  return A * covariance * A.transpose();
-}
-
-Matrix7d symmetric(const Matrix7d& m) { return 0.5 * (m + m.transpose()); }
+// Of keyframes in the window, which are looked up all along: all of them.
+constexpr size_t kWindow = 12;
 
 }  // namespace
 
@@ -72,10 +60,14 @@ void PlaceMemory::handle(const EpochBegan& e) {
 
 void PlaceMemory::handle(const KeyframeMarginalised& e) {
   StoredKeyframe k{e.id, 0, e.keyframe, nullptr, std::nullopt};
-  k.epoch = int(std::distance(first_of_epoch_.begin(), first_of_epoch_.upper_bound(e.id)));
   if (!e.neighbours.empty()) k.next = e.neighbours.front();
   if (e.pyramid && !e.keyframe->is_doubtful)
     k.view = std::make_shared<const RememberedView>(remember_view(*e.pyramid));
+  remember(std::move(k));
+}
+
+void PlaceMemory::remember(StoredKeyframe k) {
+  k.epoch = int(std::distance(first_of_epoch_.begin(), first_of_epoch_.upper_bound(k.id)));
   if (k.view && params_.loops) waiting_.push_back(store_.size());
   on_stored_(k);
   store_.add(std::move(k));
@@ -153,28 +145,54 @@ void PlaceMemory::look_up(size_t query, Known* known, Row* row) {
       known->index.candidates(*row->store->keyframes()[query].view, kCandidates, &row->votes);
   counts_.candidates += int(views.size());
   row->recent.push_back(possible(prove(query, views, *known, *row), *known, *row));
-  if (row->recent.size() > kRecent) row->recent.pop_front();
+  const bool is_corrected = looks_up_young_ && row == &known->young;
+  if (row->recent.size() > (is_corrected ? kWindow : kRecent)) row->recent.pop_front();
   std::vector<Proved>& newest = row->recent.back();
   if (newest.empty()) return;
-  const std::vector<Proved*> agreeing = agreeing_with(&newest.front(), *known, row);
+  std::vector<Proved*> agreeing = agreeing_with(&newest.front(), *known, row);
+  if (is_corrected && agreeing.size() < kAgreeing) {
+    prove_anew(known, row);
+    agreeing = agreeing_with(&newest.front(), *known, row);
+  }
   if (agreeing.size() >= kAgreeing)
     for (Proved* p : agreeing) state(p, known, row);
+}
+
+std::optional<PlaceMatch> PlaceMemory::match(size_t place, size_t query, const Known& known,
+                                             const Row& row) const {
+  const PlaceView a{*known.store->keyframes()[place].view, known.store->points_around(place)},
+      b{*row.store->keyframes()[query].view, row.store->points_around(query)};
+  return match_views(store_.pinhole(), a, b);
+}
+
+// A map of few views is bent: what was proved of its keyframes is measured anew as they are now.
+void PlaceMemory::prove_anew(Known* known, Row* row) {
+  for (std::vector<Proved>& of_one : row->recent)
+    for (Proved& p : of_one) {
+      const std::optional<PlaceMatch> now = match(p.place, p.query, *known, *row);
+      if (!now) continue;
+      p.T_place_query = now->T_a_b, p.covariance = now->covariance;
+      const auto stated = row->stated.find(row->store->keyframes()[p.query].id);
+      if (!p.is_stated || stated == row->stated.end()) continue;
+      log_->withdraw_constraint(stated->second);
+      row->stated.erase(stated);
+      p.is_stated = false;
+      state(&p, known, row);
+    }
 }
 
 std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vector<int>& views,
                                                     const Known& known, const Row& row) {
   std::vector<Proved> proved;
-  const PlaceView b{*row.store->keyframes()[query].view, row.store->points_around(query)};
   for (const int view : views) {
     const size_t place = known.keyframe_of[size_t(view)];
-    const PlaceView a{*known.store->keyframes()[place].view, known.store->points_around(place)};
-    const std::optional<PlaceMatch> match = match_views(store_.pinhole(), a, b);
-    if (!match) continue;
+    const std::optional<PlaceMatch> found = match(place, query, known, row);
+    if (!found) continue;
     ++counts_.proved;
-    proved.push_back({place, query, *match, false});
+    proved.push_back({{place, query, found->T_a_b, found->covariance}, found->evidence, false});
   }
   std::stable_sort(proved.begin(), proved.end(), [](const Proved& a, const Proved& b) {
-    return a.match.evidence.edges_log_alarms < b.match.evidence.edges_log_alarms;
+    return a.evidence.edges_log_alarms < b.evidence.edges_log_alarms;
   });
   return proved;
 }
@@ -183,26 +201,14 @@ std::vector<PlaceMemory::Proved> PlaceMemory::prove(size_t query, const std::vec
 bool PlaceMemory::is_on_path(const Proved& p) const {
   if (!store_.is_one_unit(p.place, p.query)) return true;
   const Sim3 by_path{1, store_.T_a_b(p.place, p.query)};
-  return squared_distance(p.match.T_a_b, by_path,
-                          store_.path_covariance(p.place, p.query) + p.match.covariance) < kThreeSigmas;
+  return squared_distance(p.T_place_query, by_path, store_.path_covariance(p.place, p.query) + p.covariance) <
+         kThreeSigmas;
 }
 
 // Whether the path between the two is more certain than what their views show: at a standstill, or at a desk.
 bool PlaceMemory::is_known_already(const Proved& p) const {
   return store_.is_one_unit(p.place, p.query) &&
-         store_.path_covariance(p.place, p.query).trace() < p.match.covariance.trace();
-}
-
-// Whether the way over place and query of one is that of the other: T_a_b of one, as the other has it.
-bool PlaceMemory::agree(const Proved& a, const Proved& b, const Known& known, const Row& row) {
-  const PlaceStore &places = *known.store, &queries = *row.store;
-  if (!places.is_one_unit(a.place, b.place) || !queries.is_one_unit(a.query, b.query)) return false;
-  const Sim3 to_place{1, places.T_a_b(a.place, b.place)}, from_query{1, queries.T_a_b(b.query, a.query)};
-  const Sim3 to_query_by_b = to_place * b.match.T_a_b;
-  const Matrix7d covariance = a.match.covariance + places.path_covariance(a.place, b.place) +
-                              moved(to_place, b.match.covariance) +
-                              moved(to_query_by_b, queries.path_covariance(b.query, a.query));
-  return squared_distance(a.match.T_a_b, to_query_by_b * from_query, covariance) < kThreeSigmas;
+         store_.path_covariance(p.place, p.query).trace() < p.covariance.trace();
 }
 
 // Those that the path allows; none if they are places apart, which look alike.
@@ -217,7 +223,8 @@ std::vector<PlaceMemory::Proved> PlaceMemory::possible(std::vector<Proved> found
   counts_.beyond_drift += int(found.end() - end);
   found.erase(end, found.end());
   const auto is_apart = [&](const Proved& p) {
-    return known.store->is_one_unit(found.front().place, p.place) && !agree(found.front(), p, known, row);
+    return known.store->is_one_unit(found.front().place, p.place) &&
+           !agree(found.front(), p, *known.store, *row.store);
   };
   if (found.empty() || std::none_of(found.begin() + 1, found.end(), is_apart)) return found;
   counts_.ambiguous += int(found.size());
@@ -229,50 +236,39 @@ std::vector<PlaceMemory::Proved*> PlaceMemory::agreeing_with(Proved* newest, con
   std::vector<Proved*> agreeing{newest};
   for (size_t i = 0; i + 1 < row->recent.size(); ++i) {
     std::vector<Proved>& before = row->recent[i];
-    const auto found = std::find_if(before.begin(), before.end(),
-                                    [&](const Proved& p) { return agree(p, *newest, known, *row); });
+    const auto found = std::find_if(before.begin(), before.end(), [&](const Proved& p) {
+      return agree(p, *newest, *known.store, *row->store);
+    });
     if (found != before.end()) agreeing.push_back(&*found);
   }
   return agreeing;
-}
-
-Constraint PlaceMemory::constraint_of(const Proved& p, const Known& known, const Row& row) const {
-  Constraint c;
-  c.kind = ConstraintKind::kPlace;
-  c.to = NodeId::keyframe(row.store->keyframes()[p.query].id);
-  c.T_from_to = p.match.T_a_b;
-  c.covariance = symmetric(p.match.covariance);
-  if (&known == &own_) {
-    c.from = NodeId::keyframe(store_.keyframes()[p.place].id);
-    return c;
-  }
-  const Sim3 T_world_place{1, known.store->keyframes()[p.place].record->T_world_cam};
-  c.T_from_to = T_world_place * c.T_from_to;
-  c.covariance = symmetric(moved(T_world_place, c.covariance));
-  return c;
 }
 
 void PlaceMemory::state(Proved* p, Known* known, Row* row) {
   if (p->is_stated) return;
   p->is_stated = true;
   const bool is_young = row == &known->young;
-  const Constraint constraint = constraint_of(*p, *known, *row);
+  const Constraint constraint = known == &own_ ? constraint_of(*p, *known->store, *row->store)
+                                               : constraint_in_world(*p, *known->store, *row->store);
   const bool is_sound = constraint.T_from_to.rigid.is_finite() && constraint.covariance.allFinite() &&
                         Eigen::LLT<Matrix7d>(constraint.covariance).info() == Eigen::Success;
   if (!is_sound || (known == &own_ && !is_young && is_known_already(*p))) return;
+  const int keyframe = row->store->keyframes()[p->query].id;
   if (row->store->keyframes()[p->query].record->segment == young_segment_) {
-    known->is_sought = false;
-    if (!is_young) withdraw(&known->young);
+    known->is_sought = looks_up_young_ && known == &kept_;
+    if (!is_young) withdraw(known->is_sought ? keyframe : std::numeric_limits<int>::max(), &known->young);
   }
   const int number = log_->add_constraint(constraint);
-  if (is_young) row->stated.push_back(number);
-  if (!is_young) ++(known == &own_ ? counts_.stated : counts_.in_kept_map);
+  if (is_young) return void(row->stated[keyframe] = number);
+  ++(known == &own_ ? counts_.stated : counts_.in_kept_map);
+  if (known == &kept_) on_found_(constraint_of(*p, *known->store, *row->store));
 }
 
 // What keyframes in the window have said.
-void PlaceMemory::withdraw(Row* young) {
-  for (const int constraint : young->stated) log_->withdraw_constraint(constraint);
-  young->stated.clear();
+void PlaceMemory::withdraw(int up_to_keyframe, Row* young) {
+  const auto end = young->stated.upper_bound(up_to_keyframe);
+  for (auto s = young->stated.begin(); s != end; ++s) log_->withdraw_constraint(s->second);
+  young->stated.erase(young->stated.begin(), end);
 }
 
 }  // namespace edgevo

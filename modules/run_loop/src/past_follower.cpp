@@ -35,7 +35,9 @@ struct PastFollower::Impl {
         worker(worker_options(options)) {
     if ((!params.places.loops && !params.kept) || options.forget) return;
     places.emplace(rectification, options.map_log, params.places, params.kept);
+    places->look_up_young(params.looks_up_young);
     if (params.on_stored) places->on_stored(params.on_stored);
+    if (params.on_found) places->on_found(params.on_found);
     place_events.emplace(options.map_log);
   }
 

@@ -7,10 +7,23 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/kept_map/kept_map.h"
+#include "edgevo/kept_map/map_extension.h"
+#include "edgevo/kept_map/write_map.h"
 #include "edgevo/scale/given_scale.h"
 #include "edgevo/scale/scale_source.h"
 
 namespace edgevo {
+namespace {
+
+// Frames of the keyframes that hold the run in the map.
+std::set<int> frames_found(const Run& run) {
+  std::set<int> found;
+  for (const ConstraintRecord& c : run.constraints)
+    if (c.from_frame < 0 && c.holds) found.insert(c.to_frame);
+  return found;
+}
+
+}  // namespace
 
 KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole)
     : path_(path) {
@@ -31,13 +44,29 @@ void KeptPlaces::give_unit(Run* run) const {
 }
 
 std::string KeptPlaces::statement(const Run& run) const {
-  std::set<int> found;  // frames
-  for (const ConstraintRecord& c : run.constraints)
-    if (c.from_frame < 0 && c.holds) found.insert(c.to_frame);
+  const std::set<int> found = frames_found(run);
   if (found.empty())
     return "edgevo: nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
   return std::to_string(found.size()) + " keyframes found in " + path_ +
          ", whose frame and unit the run has" + (is_metric_ ? " (metres)" : "");
+}
+
+std::string KeptPlaces::extend(const Run& run, const std::string& run_map,
+                               const std::vector<Constraint>& found) const {
+  const std::string file = map_file_of(path_);
+  KeptMap map = read_finished_map(file);
+  const KeptMap of_run = read_finished_map(run_map);
+  std::set<int> holding;  // ids
+  const std::set<int> frames = frames_found(run);
+  for (const StoredKeyframe& k : of_run.store.keyframes())
+    if (frames.count(k.record->frame_index) > 0) holding.insert(k.id);
+  std::vector<Constraint> that_hold;
+  for (const Constraint& c : found)
+    if (holding.count(c.to.number()) > 0) that_hold.push_back(c);
+  const size_t before = map.store.size(), added = extend_map(of_run, that_hold, &map);
+  if (added == 0) return "nothing new for " + path_;
+  write_map(map, file);
+  return std::to_string(added) + " keyframes added to the " + std::to_string(before) + " of " + path_;
 }
 
 }  // namespace edgevo

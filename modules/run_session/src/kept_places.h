@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "edgevo/core/records.h"
+#include "edgevo/map/map_graph.h"
 #include "edgevo/places/place_store.h"
 
 namespace edgevo {
@@ -29,6 +30,9 @@ class KeptPlaces {
   void give_unit(Run* run) const;
   /// Whether the run was found, in one line.
   std::string statement(const Run& run) const;
+  /// Adds to the map's file what is new in `run_map`, the map of a run that was found: `found` from the map's
+  /// keyframes to those of the run. Returns what was added, in one line. Throws InputError as write_map().
+  std::string extend(const Run& run, const std::string& run_map, const std::vector<Constraint>& found) const;
 
  private:
   std::string path_;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/run_session/run_session.h"
 
+#include <filesystem>
+
 #include "edgevo/core/error.h"
 #include "edgevo/core/formatted.h"
 #include "edgevo/core/thread_priority.h"
 #include "edgevo/datasets/describe.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
+#include "edgevo/kept_map/map_file_writer.h"
 #include "edgevo/run_quality/closing_lines.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/scale/run_scaling.h"
@@ -43,6 +46,8 @@ class RunSession {
   void open_source_with_notices();
   void choose_pinhole();
   void read_kept_map();
+  void check_map_request() const;
+  void extend_kept_map(const Run& run);
   void open_outputs();
   ShowFrame open_window() const;
   bool after_frame(const ProcessedFrame& frame);
@@ -61,6 +66,7 @@ class RunSession {
   std::optional<InputDecision> pinhole_;
   std::optional<RunScaling> scaling_;
   std::optional<KeptPlaces> kept_map_;
+  std::vector<Constraint> found_in_kept_map_;  // of the thread that recognises places, until the end
   RunInfo info_;
   std::optional<RunOutputs> outputs_;
   // While it runs.
@@ -93,11 +99,27 @@ RunSession::RunSession(const RunRequest& request, const RunHost& host)
   open_outputs();
 }
 
-void RunSession::read_kept_map() {
-  if (request_.map.empty()) return;
+void RunSession::check_map_request() const {
   if (request_.outputs.forget)
     throw InputError("--map " + request_.map, "places are not looked for with --forget",
                      "omit one of the two");
+  std::error_code is_new;
+  if (std::filesystem::equivalent(request_.map, request_.out, is_new))
+    throw InputError("--map " + request_.map, "is the folder for the results, too", "give another -o");
+  if (!request_.extend_map) return;
+  if (!request_.params.places.loops)
+    throw InputError("--extend", "a run with --loops off keeps no keyframes", "omit one of the two");
+  if (request_.scale != "none") throw InputError("--extend", "the map keeps its unit", "omit --scale");
+}
+
+void RunSession::extend_kept_map(const Run& run) {
+  const std::string map = (std::filesystem::path(request_.out) / kMapFile).string();
+  print(kept_map_->extend(run, map, found_in_kept_map_));
+}
+
+void RunSession::read_kept_map() {
+  if (request_.map.empty()) return;
+  check_map_request();
   kept_map_.emplace(request_.map, request_.scale, rectification_of(source_->camera(), odometry_).target());
   for (const std::string& line : kept_map_->warnings()) warn("edgevo: " + line);
 }
@@ -167,8 +189,12 @@ void RunSession::prioritise_tracking() const {
 void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
-  options.past = {request_.params.scale, request_.params.places, kept_map_ ? kept_map_->places() : nullptr,
-                  [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); }};
+  options.past = {request_.params.scale,
+                  request_.params.places,
+                  kept_map_ ? kept_map_->places() : nullptr,
+                  false,
+                  [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); },
+                  [this](const Constraint& found) { found_in_kept_map_.push_back(found); }};
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;
@@ -236,6 +262,7 @@ bool RunSession::finish() {
   print_end();
   if (kept_map_)
     kept_map_->is_found(run) ? print(kept_map_->statement(run)) : warn(kept_map_->statement(run));
+  if (request_.extend_map && kept_map_->is_found(run)) extend_kept_map(run);
   if (!outputs_->map_note().empty()) warn(outputs_->map_note());
   for (const ClosingLine& line : closing_lines(run, request_.out, request_.outputs.include_doubtful))
     line.is_warning ? warn(line.text) : print(line.text);

@@ -146,19 +146,25 @@ TEST(PlaceMemory, DoesNotBelieveWhatThePathContradicts) {
   EXPECT_GT(memory.counts().beyond_drift, 0);
 }
 
+// The map of a run through the beginning of the street, in metres.
+std::shared_ptr<const PlaceStore> kept_street() {
+  auto kept = std::make_shared<PlaceStore>(street().pinhole());
+  StreetRun before;
+  PlaceMemory memory = before.memory();
+  memory.on_stored([&](const StoredKeyframe& k) { kept->add(k); });
+  before.begin_segment(1);
+  for (int frame = 0; frame < 25; ++frame) before.add(frame);
+  before.follow(&memory);
+  return kept;
+}
+
 TEST(PlaceMemory, PlacesARunInAKeptMap) {
   const double unit = 2;
-  auto kept = std::make_shared<PlaceStore>(street().pinhole());
-  {
-    StreetRun before;
-    PlaceMemory memory = before.memory();
-    memory.on_stored([&](const StoredKeyframe& k) { kept->add(k); });
-    before.begin_segment(1);
-    for (int frame = 0; frame < 25; ++frame) before.add(frame);
-    before.follow(&memory);
-  }
+  const std::shared_ptr<const PlaceStore> kept = kept_street();
   StreetRun run;
   PlaceMemory memory = run.memory(kept);
+  std::vector<Constraint> found;
+  memory.on_found([&](const Constraint& c) { found.push_back(c); });
   run.begin_segment(unit);
   for (int frame = 4; frame < 18; ++frame) run.add(frame);
   const std::vector<Constraint> stated = run.follow(&memory);
@@ -169,6 +175,33 @@ TEST(PlaceMemory, PlacesARunInAKeptMap) {
     EXPECT_LT((c.T_from_to.rigid.translation() - run.truth(c.to).translation()).norm(), 0.15);
   }
   EXPECT_EQ(memory.counts().in_kept_map, int(stated.size()));
+  // The same between the keyframes.
+  ASSERT_EQ(found.size(), stated.size());
+  for (size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].to, stated[i].to);
+    const Sim3 T_world_place{1, kept->keyframes()[size_t(found[i].from.number())].record->T_world_cam};
+    EXPECT_LT((T_world_place * found[i].T_from_to * stated[i].T_from_to.inverse()).log().norm(), 1e-9);
+  }
+}
+
+// Keyframes in the window are looked up there although the run was found; each until it says so outside of
+// it.
+TEST(PlaceMemory, LooksUpTheWindowAllAlong) {
+  StreetRun run;
+  PlaceMemory memory = run.memory(kept_street());
+  memory.look_up_young(true);
+  run.begin_segment(2);
+  for (int frame = 4; frame < 8; ++frame) run.begin(frame);
+  const size_t first = run.follow(&memory).size();
+  EXPECT_GE(first, 3U);
+  for (int frame = 8; frame < 14; ++frame) run.begin(frame);
+  const size_t more = run.follow(&memory).size();
+  EXPECT_GE(more, 4U);
+  run.close();
+  run.follow(&memory);
+  memory.finish();
+  run.follow(&memory);
+  EXPECT_GE(run.withdrawn(), int(first + more) - 2);
 }
 
 // A doubt can be evaluated when the keyframes after it have been stored.

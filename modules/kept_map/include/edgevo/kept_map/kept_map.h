@@ -62,8 +62,14 @@ KeptMap read_map(const std::string& path);
 /// Throws InputError that names `path`, the map's file, unless the map was made with images of this pinhole.
 void check_camera(const KeptMap& map, const Pinhole& pinhole, const std::string& path);
 
-/// Reads a map that runs are placed in; `path`: its file, or the folder of a run. Its places are of one
-/// epoch. Throws InputError as read_map() and check_camera(), and for the map of a run that did not end.
+/// The file of a map; `path`: the file, or the folder of a run.
+std::string map_file_of(const std::string& path);
+
+/// Reads a map as it lies in one world; `path` as in map_file_of(). Throws InputError as read_map(), and for
+/// the map of a run that did not end.
+KeptMap read_finished_map(const std::string& path);
+/// The same of images of this pinhole, to place runs in: its places are of one epoch. Throws as
+/// check_camera(), too.
 KeptMap read_finished_map(const std::string& path, const Pinhole& pinhole);
 
 /// What is in a map, as names and values: keyframes, points, bytes, extent, unit, light, ...

@@ -12,6 +12,8 @@
 // better.
 #include <deque>
 #include <functional>
+#include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -24,6 +26,7 @@
 #include "edgevo/places/place_match.h"
 #include "edgevo/places/place_params.h"
 #include "edgevo/places/place_store.h"
+#include "edgevo/places/stated_place.h"
 
 namespace edgevo {
 
@@ -53,9 +56,18 @@ class PlaceMemory {
 
   /// Takes the next event of the run.
   void apply(const MapEvent& event);
+  /// Takes a keyframe with its view as one that has left the window: of a map that was kept. Ids ascend, and
+  /// were announced.
+  void remember(StoredKeyframe keyframe);
   /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
   /// when the camera is corrected; in the thread of apply().
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
+  /// Calls `follow` with each place that is stated in the kept map, as a constraint from the keyframe there
+  /// to that of the run, by their ids; in the thread of apply().
+  void on_found(std::function<void(const Constraint&)> follow) { on_found_ = std::move(follow); }
+  /// Whether keyframes in the window are looked up in the kept map all along, not only until the segment is
+  /// found: the newest pose then rests on what the camera sees now. Each costs a look-up more.
+  void look_up_young(bool all_along) { looks_up_young_ = all_along; }
   /// Whether keyframes are looked up from now on, or only remembered: where they would come too late.
   void look_up_too(bool looks_up) { looks_up_ = looks_up; }
   /// The run has no more keyframes: those that waited for the ones after them are looked up.
@@ -64,9 +76,8 @@ class PlaceMemory {
   const PlaceCounts& counts() const { return counts_; }
 
  private:
-  struct Proved {
-    size_t place = 0, query = 0;  // positions in the store of the places, and in that of the queries
-    PlaceMatch match;
+  struct Proved : StatedPlace {
+    PlaceEvidence evidence;
     bool is_stated = false;
   };
   // Keyframes that are looked up one after the other.
@@ -74,7 +85,7 @@ class PlaceMemory {
     const PlaceStore* store = nullptr;
     PlaceVotes votes;
     std::deque<std::vector<Proved>> recent;  // of the last ones, the newest last
-    std::vector<int> stated;                 // numbers of the constraints that are withdrawn later
+    std::map<int, int> stated;  // by keyframe, numbers of the constraints that are withdrawn later
   };
   // Places to be looked up: of this run, or of a map that was kept.
   struct Known {
@@ -101,14 +112,14 @@ class PlaceMemory {
   void look_up(size_t query, Known* known, Row* row);
   void add_places_before(size_t query);
   bool is_known_already(const Proved& p) const;
+  std::optional<PlaceMatch> match(size_t place, size_t query, const Known& known, const Row& row) const;
+  void prove_anew(Known* known, Row* row);
   std::vector<Proved> prove(size_t query, const std::vector<int>& views, const Known& known, const Row& row);
   bool is_on_path(const Proved& p) const;
-  static bool agree(const Proved& a, const Proved& b, const Known& known, const Row& row);
   std::vector<Proved> possible(std::vector<Proved> found, const Known& known, const Row& row);
   static std::vector<Proved*> agreeing_with(Proved* newest, const Known& known, Row* row);
-  Constraint constraint_of(const Proved& p, const Known& known, const Row& row) const;
   void state(Proved* p, Known* known, Row* row);
-  void withdraw(Row* young);
+  void withdraw(int up_to_keyframe, Row* young);
 
   const Rectification rectification_;
   const std::shared_ptr<MapLog> log_;
@@ -121,8 +132,9 @@ class PlaceMemory {
   std::deque<size_t> waiting_;       // positions of those that are not far enough back yet to be places
   Known own_, kept_;
   PlaceCounts counts_;
-  bool looks_up_ = true;
+  bool looks_up_ = true, looks_up_young_ = false;
   std::function<void(const StoredKeyframe&)> on_stored_ = [](const StoredKeyframe&) {};
+  std::function<void(const Constraint&)> on_found_ = [](const Constraint&) {};
 };
 
 }  // namespace edgevo

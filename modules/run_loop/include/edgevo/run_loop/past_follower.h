@@ -23,8 +23,12 @@ struct PastParams {
   PlaceParams places;
   /// A map that was kept, of the pinhole that the run works in, whose places are looked for, too; null: none.
   std::shared_ptr<const PlaceStore> kept;
+  /// As PlaceMemory::look_up_young().
+  bool looks_up_young = false;
   /// Is called as PlaceMemory::on_stored() says, in the thread that recognises places; empty: not.
   std::function<void(const StoredKeyframe&)> on_stored;
+  /// The same as PlaceMemory::on_found().
+  std::function<void(const Constraint&)> on_found;
 };
 
 /// Follows the events of a run and adds constraints to them. Places are looked up in a thread of their own

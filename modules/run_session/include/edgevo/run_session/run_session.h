@@ -32,6 +32,8 @@ struct RunRequest {
   /// Map that an earlier run has kept (map.db, or the folder of the run), whose frame and unit the run gets
   /// where its places are recognised; empty: none.
   std::string map;
+  /// Whether that map gets what is new in the run, if the run was found in it.
+  bool extend_map = false;
   /// File for a trace; empty: none.
   std::string trace;
   /// Seed of all random numbers.
