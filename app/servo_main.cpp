@@ -4,11 +4,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <opencv2/core/utility.hpp>
 
 #include "edgevo/core/error.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/servo/closed_loop.h"
+#include "edgevo/servo/kept_goal.h"
 #include "edgevo/servo/servo_outputs.h"
 #include "edgevo/simulation/relight.h"
 #include "edgevo/visp_bridge/servo_params.h"
@@ -43,6 +45,13 @@ void add_options(CLI::App& app, Options* o) {
                  "lighting change during the motion: a kind of `edgevo relight`, for example mixed");
   app.add_option("--blackout", s.blackout_s, "seconds of darkness, starting 1.5 s after the loop")
       ->check(number_between(0, 60));
+  app.add_flag("--carried", s.is_carried,
+               "with --map and --blackout, carry the camera back to the start while it is dark");
+  app.add_option(
+         "--map", s.map,
+         "folder of an earlier `edgevo servo`: steer to the pose that was taught there, by its map; the "
+         "camera is moved by hand until it is found in that")
+      ->check(path_given());
   app.add_option(
       "--latency", o->latency,
       "latency of the odometry per image: measured (default), cpu (its CPU time, for a machine busy "
@@ -93,11 +102,25 @@ void check_light(const std::string& kind) {
                    "did you mean " + nearest_name(kind, kinds) + "? known are " + known);
 }
 
+void check_map(const ServoParams& servo, const std::string& out) {
+  if (servo.is_carried && servo.map.empty())
+    throw InputError("--carried", "is for a goal that was kept", "give --map, too");
+  if (servo.map.empty()) return;
+  if (servo.law != "pbvs")
+    throw InputError("--law " + servo.law, "steers by points that were taught in the same loop",
+                     "omit --law or --map");
+  std::error_code is_new;
+  if (std::filesystem::equivalent(servo.map, out, is_new))
+    throw InputError("--map " + servo.map, "is the folder for the results, too", "give another -o");
+}
+
 int servo(Options o) {
   set_latency(o.latency, &o.servo);
   check_light(o.servo.light);
+  check_map(o.servo, o.out);
   OdometryParams params = odometry_params(o);
   check_folder_is_ours(o.out, {"servo.csv"}, o.force);
+  if (!o.servo.map.empty()) read_kept_goal(o.servo.map);
   RunFolder folder(o.out);
   listen_to_signals();
   ServoRunInfo info{o.servo, write_params([&](ParamVisitor& v) { params.visit(v); }, 2), o.command_line};

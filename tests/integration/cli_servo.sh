@@ -35,4 +35,19 @@ run_code 0 "$edgevo" servo -o ibvs --quiet --latency 0.06 --rate 10 --gain 1.6 -
 below "IBVS with twice the scale, px" "$(value ibvs final_px)" 1
 below "IBVS with twice the scale, mm" "$(value ibvs final_mm)" 5
 check "never stopped" "$(value ibvs stops)" -eq 0
+
+# Started anew, the goal is reached by the map that the loop before has kept; after darkness in which the camera was carried away, too.
+kept=$(cat dark/map.db dark/goal.txt | cksum)
+run_code 0 "$edgevo" servo -o again --quiet --latency 0.06 --rate 10 --gain 1.6 --map dark --blackout 5 --carried --limit 40
+below "started anew, mm" "$(value again final_mm)" 5
+below "started anew, degrees" "$(value again final_deg)" 0.5
+check "stopped in the darkness" "$(value again stops)" -ge 2
+below "the start is elsewhere, mm" 200 "$(value again start_mm)"
+[ "$(cat dark/map.db dark/goal.txt | cksum)" = "$kept" ] && ok "the map is as it was" || fail "the map changed"
+[ ! -e again/goal.txt ] && ok "no goal that was not taught" || fail "goal.txt of a loop without teaching"
+complains "goal.txt: holds no taught pose" "$edgevo" servo -o refused --map "$scenes"
+complains "omit --law or --map" "$edgevo" servo -o refused --map dark --law ibvs
+complains "another -o" "$edgevo" servo -o dark --map dark
+complains "give --map" "$edgevo" servo -o refused --blackout 5 --carried
+check "folders left by commands that cannot run" "$(ls -d refused 2>/dev/null | wc -l)" -eq 0
 finish

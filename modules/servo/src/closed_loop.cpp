@@ -3,27 +3,41 @@
 
 #include <visp3/core/vpExponentialMap.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "delayed_sensor.h"
 #include "edgevo/core/angle.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "simulated_camera.h"
 
 namespace edgevo {
 namespace {
 constexpr double kHold_s = 1;  // time at the goal until the loop counts as converged
+// A camera that is not found in the kept map for so long is moved around by hand.
+constexpr double kUntilHand_s = 1;
+
+// A loop that steers to a goal of an earlier one has nothing to teach.
+MotionPlan plan_of(const ServoParams& params) {
+  MotionPlan plan = plan_over_desk(params.seed);
+  if (!params.map.empty()) plan.teach_s = plan.away_s = 0;
+  return plan;
+}
 
 class ClosedLoop {
  public:
   ClosedLoop(const ServoParams& params, const OdometryParams& odometry)
       : params_(params),
-        plan_(plan_over_desk(params.seed)),
+        goal_(params.map.empty() ? KeptGoal() : read_kept_goal(params.map)),
+        plan_(plan_of(params)),
         camera_(params, plan_),
-        sensor_(camera_.model(), odometry, params, &feed_),
+        sensor_(camera_.model(), odometry, params, &feed_, kept_places()),
         law_(make_control_law(params.law, camera_.model().pinhole(), params.gain, params.points)),
-        T_scene_cam_(plan_.T_scene_cam(0)) {}
+        T_scene_cam_(is_restarted() ? plan_.T_scene_start : plan_.T_scene_cam(0)) {
+    if (is_restarted()) aim_at_kept_goal();
+  }
 
   ServoResult run(const std::function<bool(double)>& on_step) {
     const double servo_begin_s = plan_.teach_s + plan_.away_s;
@@ -36,6 +50,7 @@ class ClosedLoop {
     if (result_.failure.empty()) measure_end();
     result_.replaced = sensor_.replaced();
     result_.camera = camera_.model();
+    result_.kept = keep();
     return std::move(result_);
   }
 
@@ -55,7 +70,8 @@ class ClosedLoop {
     row.age_s = pose.age_s;
     if (phase != Phase::kTeach && !taught_) teach(pose);
     if (!result_.failure.empty()) return false;
-    if (phase == Phase::kServo) steer(pose, index, &row);
+    if (phase == Phase::kServo)
+      is_restarted() ? steer_in_kept_map(pose, index, &row) : steer(pose, index, &row);
     result_.rows.push_back(row);
     if (std::optional<GrayImage> image = camera_.take(row.T_scene_cam, index, now))
       sensor_.push({index, Timestamp::from_seconds(now), std::move(*image)});
@@ -73,15 +89,92 @@ class ClosedLoop {
       return;
     }
     const Pinhole p = camera_.model().pinhole();
+    std::vector<Eigen::Vector2d> px;
+    for (const ServoPoint& point : law_->points(metric))
+      px.push_back(p.project({point.point.get_x(), point.point.get_y(), 1}));
+    show_taught(px);
+    taught_frame_ = pose.frame_index;
+    kept_metres_per_unit_ = result_.metres_per_unit / pose.view.odom_scale;
+  }
+
+  // Notes the points that the taught view has at these pixels, for the evaluation.
+  void show_taught(const std::vector<Eigen::Vector2d>& at) {
     const std::vector<float> depth = camera_.renderer().render_depth_from(plan_.T_scene_taught);
-    for (const ServoPoint& point : law_->points(metric)) {
-      const Eigen::Vector2d px = p.project({point.point.get_x(), point.point.get_y(), 1});
+    for (const Eigen::Vector2d& px : at) {
       const double z = depth_near(depth, px);
       if (!(z > 0)) continue;
       result_.points_taught.push_back(px);
-      points_scene_.push_back(plan_.T_scene_taught * (z * p.ray(px)));
+      points_scene_.push_back(plan_.T_scene_taught * (z * camera_.model().pinhole().ray(px)));
     }
     result_.taught = camera_.renderer().render_image_from(plan_.T_scene_taught, 0);
+  }
+
+  // ---- a goal that was kept ----
+
+  bool is_restarted() const { return !params_.map.empty(); }
+  std::shared_ptr<const PlaceStore> kept_places() const {
+    return is_restarted() ? read_kept_places(params_.map, Rectification(camera_.model()).target()) : nullptr;
+  }
+
+  void aim_at_kept_goal() {
+    result_.metres_per_unit = goal_.metres_per_unit;
+    law_->aim(to_visp(in_metres(goal_.T_map_taught.inverse())), 0);
+    const Pinhole p = camera_.model().pinhole();
+    std::vector<Eigen::Vector2d> grid;
+    constexpr int kColumns = 5, kRows = 4;
+    for (int i = 0; i < kColumns * kRows; ++i)
+      grid.emplace_back(p.width * (i % kColumns + 0.5) / kColumns, p.height * (i / kColumns + 0.5) / kRows);
+    show_taught(grid);
+    taught_ = true;
+  }
+
+  SE3 in_metres(const SE3& T) const { return {T.rotation(), goal_.metres_per_unit * T.translation()}; }
+
+  // The pose in the kept map.
+  ServoPose in_kept_map(ServoPose pose) const {
+    if (!pose.usable) return pose;
+    const NewestPose& view = pose.view;
+    if (!sensor_.is_placed(view.segment)) {
+      pose.usable = false, pose.reason = "not found in the kept map yet";
+      return pose;
+    }
+    const SE3 T_map_cam =
+        view.T_world_odom * Sim3{view.odom_scale, view.T_odom_map}.apply(view.T_cam_map->inverse());
+    pose.cMw = to_visp(in_metres(T_map_cam.inverse()));
+    pose.map_version = 0;
+    return pose;
+  }
+
+  // By the law where it is known where the camera is; else by hand.
+  void steer_in_kept_map(const ServoPose& live, int index, ServoRow* row) {
+    const ServoPose pose = in_kept_map(live);
+    steer(pose, index, row);
+    if (pose.usable && !is_found_)
+      is_found_ = true, camera_.begin_darkness(row->time_s + params_.blackout_at_s);
+    unknown_s_ = pose.usable ? 0 : unknown_s_ + 1 / params_.rate_hz;
+    if (const auto share = camera_.darkness(row->time_s)) return carry(*share);
+    if (is_found_ && unknown_s_ < kUntilHand_s) return by_hand_s_ = 0, void();
+    if (by_hand_s_ == 0) T_scene_hand_ = T_scene_cam_;
+    by_hand_s_ += 1 / params_.rate_hz;
+    T_scene_cam_ = T_scene_hand_ * moved_by_hand(by_hand_s_);
+  }
+
+  void carry(double share) {
+    by_hand_s_ = unknown_s_ = 0;
+    if (!params_.is_carried) return;
+    if (!T_scene_dark_) T_scene_dark_ = T_scene_cam_;
+    T_scene_cam_ = on_the_way(*T_scene_dark_, plan_.T_scene_start, share);
+  }
+
+  // What later loops need; a loop that was not taught leaves nothing.
+  std::optional<KeptLoop> keep() {
+    if (taught_frame_ < 0) return std::nullopt;
+    KeptLoop kept = sensor_.finish();
+    const auto taught = std::find_if(kept.run.frames.begin(), kept.run.frames.end(),
+                                     [&](const FrameRecord& f) { return f.index == taught_frame_; });
+    if (taught == kept.run.frames.end() || !taught->T_world_cam) return std::nullopt;
+    kept.goal = {*taught->T_world_cam, kept_metres_per_unit_};
+    return kept;
   }
 
   // Sets the scale to the true metres per unit of the map, which is best known at the taught pose.
@@ -178,6 +271,7 @@ class ClosedLoop {
   }
 
   ServoParams params_;
+  KeptGoal goal_;  // of an earlier loop
   MotionPlan plan_;
   SimulatedCamera camera_;
   ServoFeed feed_;
@@ -187,6 +281,12 @@ class ClosedLoop {
   bool taught_ = false, started_ = false, was_stopped_ = false;
   double at_goal_s_ = 0;
   std::vector<Eigen::Vector3d> points_scene_;
+  int taught_frame_ = -1;
+  double kept_metres_per_unit_ = 1;
+  bool is_found_ = false;
+  double unknown_s_ = 0, by_hand_s_ = 0;
+  SE3 T_scene_hand_;                 // where the hand has begun
+  std::optional<SE3> T_scene_dark_;  // where the darkness has begun
   ServoResult result_;
 };
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace edgevo {
 namespace {
@@ -43,7 +44,7 @@ class TaughtLaw : public ControlLaw {
     if (!pose.usable) return *why = pose.reason, false;
     if (points_.choose(pose, count_) < kMinPoints)
       return *why = "too few edge points of known depth in view", false;
-    map_version_ = pose.map_version;
+    take_map(pose.map_version);
     set_goal(pose, points_.features(pose));
     return true;
   }
@@ -62,6 +63,7 @@ class TaughtLaw : public ControlLaw {
  protected:
   virtual void set_goal(const ServoPose& pose, const std::vector<ServoPoint>& points) = 0;
   virtual Command law(const ServoPose& pose) = 0;
+  void take_map(int version) { map_version_ = version; }
 
   Pinhole pinhole_;
   ServoPoints points_;
@@ -78,6 +80,11 @@ class Pbvs : public TaughtLaw {
     set_eye_in_hand(gain, &task_);
     task_.addFeature(t_);
     task_.addFeature(tu_);
+  }
+
+  void aim(const vpHomogeneousMatrix& cdMw, int map_version) override {
+    take_map(map_version);
+    cdMw_ = cdMw;
   }
 
  private:
@@ -105,6 +112,10 @@ class Pbvs : public TaughtLaw {
 class Ibvs : public TaughtLaw {
  public:
   Ibvs(const Pinhole& pinhole, double gain, int count) : TaughtLaw(pinhole, count), gain_(gain) {}
+
+  void aim(const vpHomogeneousMatrix&, int) override {
+    throw std::logic_error("IBVS steers by points that were taught");
+  }
 
  private:
   void set_goal(const ServoPose&, const std::vector<ServoPoint>& points) override {

@@ -10,8 +10,9 @@
 namespace edgevo {
 namespace {
 
-OdometryOptions options_of(const ServoParams& servo) {
+OdometryOptions options_of(const ServoParams& servo, std::shared_ptr<MapLog> log) {
   OdometryOptions options;
+  options.map_log = std::move(log);
   options.seed = servo.seed;
   options.detectors = all_edge_detectors();
   return options;
@@ -30,8 +31,12 @@ double seconds_of(bool cpu, const Work& work) {
 }  // namespace
 
 DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
-                             ServoFeed* feed)
-    : odometry_(camera, params, options_of(servo)),
+                             ServoFeed* feed, std::shared_ptr<const PlaceStore> kept)
+    : events_(log_),
+      past_(
+          camera, std::nullopt, options_of(servo, log_),
+          {{}, {}, std::move(kept), true, [this](const StoredKeyframe& k) { keyframes_.push_back(k); }, {}}),
+      odometry_(camera, params, options_of(servo, log_)),
       given_latency_s_(servo.latency_s),
       cpu_latency_(servo.cpu_latency),
       feed_(feed) {}
@@ -53,9 +58,31 @@ void DelayedSensor::work(std::vector<ServoRow>* rows) {
   const Frame frame = std::move(*waiting_);
   waiting_.reset();
   const double took_s = seconds_of(cpu_latency_, [&] { odometry_.process(frame); });
+  past_.follow();
+  follow_map();
   free_at_s_ = std::max(free_at_s_, frame.time.seconds()) + given_latency_s_.value_or(took_s);
   ready_.emplace_back(free_at_s_, odometry_.newest_pose());
   (*rows)[size_t(frame.index)].latency_s = free_at_s_ - frame.time.seconds();
+}
+
+// Poses are in the kept map once the epochs have been placed by what was found.
+void DelayedSensor::follow_map() {
+  for (const auto& event : events_.read()) {
+    if (const auto* added = std::get_if<KeyframeAdded>(&*event)) segment_of_[added->id] = added->segment;
+    if (const auto* found = std::get_if<ConstraintAdded>(&*event))
+      if (found->constraint.from == NodeId::world())
+        found_.insert(segment_of_.at(found->constraint.to.number()));
+    if (std::holds_alternative<EpochsPlaced>(*event)) placed_.insert(found_.begin(), found_.end());
+  }
+}
+
+KeptLoop DelayedSensor::finish() {
+  odometry_.close();
+  past_.finish();
+  KeptLoop kept;
+  kept.run = odometry_.finish();
+  kept.keyframes = std::move(keyframes_);
+  return kept;
 }
 
 }  // namespace edgevo

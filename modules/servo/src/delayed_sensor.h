@@ -2,22 +2,29 @@
 #pragma once
 // The odometry as the sensor of the servo loop, with its latency.
 #include <deque>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
+#include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/run_loop/past_follower.h"
+#include "edgevo/servo/kept_goal.h"
 #include "edgevo/servo/loop_params.h"
 #include "edgevo/servo/loop_result.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 
 namespace edgevo {
 
-/// The odometry, whose results reach the feed after its latency.
+/// The odometry, whose results reach the feed after its latency. Places are recognised next to it, as if in a
+/// thread of their own.
 class DelayedSensor {
  public:
-  DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
-                ServoFeed* feed);
+  /// `kept`: the map of an earlier loop; null: none.
+  DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo, ServoFeed* feed,
+                std::shared_ptr<const PlaceStore> kept);
 
   /// Adds an image at its time, in place of one that still waits.
   void push(Frame frame);
@@ -28,10 +35,21 @@ class DelayedSensor {
 
   /// Number of images that were replaced.
   int replaced() const { return replaced_; }
+  /// Whether a segment was found in the kept map.
+  bool is_placed(int segment) const { return placed_.count(segment) > 0; }
+  /// Ends the odometry: its run and keyframes, without a goal. Call once.
+  KeptLoop finish();
 
  private:
   void work(std::vector<ServoRow>* rows);
+  void follow_map();
 
+  const std::shared_ptr<MapLog> log_ = std::make_shared<MapLog>();
+  std::vector<StoredKeyframe> keyframes_;
+  MapCursor events_;
+  std::map<int, int> segment_of_;  // by keyframe
+  std::set<int> found_, placed_;   // segments, before and after their poses say so
+  PastFollower past_;              // made before the odometry
   Odometry odometry_;
   std::optional<double> given_latency_s_;
   bool cpu_latency_;

@@ -56,6 +56,16 @@ SE3 MotionPlan::T_scene_cam(double seconds) const {
   return between(T_scene_taught, T_scene_start, smooth_step((seconds - teach_s) / away_s));
 }
 
+SE3 moved_by_hand(double seconds) {
+  const auto& offsets = teaching_offsets();  // the last one is none
+  const double legs = seconds / kLeg_s;
+  const size_t leg = size_t(legs), count = offsets.size();
+  return between(SE3::exp(offsets[(leg + count - 1) % count]), SE3::exp(offsets[leg % count]),
+                 smooth_step(legs - double(leg)));
+}
+
+SE3 on_the_way(const SE3& from, const SE3& to, double share) { return between(from, to, smooth_step(share)); }
+
 MotionPlan plan_over_desk(uint64_t seed) {
   MotionPlan plan;
   const Eigen::Vector3d middle(0.9, 0.0, 0.74);  // of the desk in front of the monitors

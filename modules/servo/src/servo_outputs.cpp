@@ -63,6 +63,8 @@ void write_servo_outputs(const ServoResult& result, const ServoRunInfo& info, Ru
   if (!result.points_start.empty())
     write("convergence.svg", [&] { return convergence_svg(result, info.params); });
   write("report.html", [&] { return servo_report(result, info, views); });
+  if (result.kept)
+    folder->attempt("goal.txt", [&](const std::string&) { write_kept_loop(*result.kept, folder->path()); });
   folder->throw_first_failure();
 }
 

@@ -31,6 +31,8 @@ class ControlLaw {
   /// Makes the current view the goal. Returns false, with the reason in `*why`, without a usable pose or with
   /// too few points.
   [[nodiscard]] virtual bool teach(const ServoPose& pose, std::string* why) = 0;
+  /// Makes a pose of the camera the goal: world to camera, metres, in the map of that version. Only PBVS can.
+  virtual void aim(const vpHomogeneousMatrix& cdMw, int map_version) = 0;
   /// The command for a pose. Stops if the pose is not usable or belongs to another map than the goal.
   virtual Command command(const ServoPose& pose) = 0;
   /// The points of the feed at `pose`; empty for a law without points.

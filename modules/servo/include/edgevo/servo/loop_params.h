@@ -25,6 +25,11 @@ struct ServoParams {
   double blackout_s = 0;
   /// Begin of the blackout after the begin of the servo loop, seconds.
   double blackout_at_s = 1.5;
+  /// Whether the camera is carried back to the start of the loop while it is dark.
+  bool is_carried = false;
+  /// Folder of an earlier loop, whose goal is to be reached by its map (servo/kept_goal.h); empty: the goal
+  /// is taught in this one. Only "pbvs" can.
+  std::string map;
   /// Number of points; IBVS steers by them.
   int points = 20;
   /// Gain lambda, 1/s.

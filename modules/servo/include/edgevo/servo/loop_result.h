@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Result of a run of the servo loop in the simulator.
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "edgevo/core/records.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/servo/control_laws.h"
+#include "edgevo/servo/kept_goal.h"
 #include "edgevo/servo/motion_plan.h"
 
 namespace edgevo {
@@ -55,6 +57,8 @@ struct ServoResult {
   int replaced = 0;
   /// Camera of the rendered images.
   Camera camera;
+  /// The goal with its map, if it was taught in this loop.
+  std::optional<KeptLoop> kept;
   /// Images at the taught pose, at the start and at the end, with distortion.
   GrayImage taught, start, final;
   /// True pixels of the feed's points at the taught pose, undistorted.

@@ -29,6 +29,12 @@ struct MotionPlan {
   SE3 T_scene_cam(double seconds) const;
 };
 
+/// Offset of a camera that is moved around by hand from where that began, for a time since then: as in the
+/// first phase, again and again.
+SE3 moved_by_hand(double seconds);
+/// Pose on the smooth way between two, for a share of its time from 0 to 1.
+SE3 on_the_way(const SE3& from, const SE3& to, double share);
+
 /// Motion above the middle of the rendered desk. The taught pose is half a metre from the table top, looking
 /// 60 degrees down; the start is 0.23 m and 21 degrees away for `seed` 1, and changes by up to a fifth for
 /// other seeds.
