@@ -23,8 +23,9 @@ struct KeptGoal {
 struct KeptLoop {
   /// The goal.
   KeptGoal goal;
-  /// The run of the loop, and its keyframes with what is remembered of their views.
+  /// The run of the loop.
   Run run;
+  /// Its keyframes with what is remembered of their views.
   std::vector<StoredKeyframe> keyframes;
 };
 
