@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/map/run_path.h"
 
+#include <algorithm>
+
 #include <Eigen/Cholesky>
 
 namespace edgevo {
@@ -45,9 +47,20 @@ std::optional<Matrix6d> RunPath::covariance_between(int id, int later_id) const 
   return symmetric;
 }
 
+bool RunPath::is_window_in_kept_map() const {
+  const std::map<int, Constraint>& all = epochs.constraints();
+  return std::any_of(all.begin(), all.end(), [&](const auto& c) {
+    const auto is_found = [&](const WindowAdjusted::Active& k) {
+      return c.second.to == NodeId::keyframe(k.id) && marginalised.count(k.id) == 0;
+    };
+    return c.second.from == NodeId::world() && std::any_of(active().begin(), active().end(), is_found);
+  });
+}
+
 std::vector<KeyframeInMap> RunPath::keyframes() const {
   std::map<int, KeyframeInMap> known = marginalised;
-  for (const WindowAdjusted::Active& k : active()) known.emplace(k.id, in_map(k));
+  if (is_window_in_kept_map())
+    for (const WindowAdjusted::Active& k : active()) known.emplace(k.id, in_map(k));
   std::vector<KeyframeInMap> all;
   for (const auto& [id, keyframe] : known) all.push_back(keyframe);
   return all;

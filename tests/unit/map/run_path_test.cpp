@@ -14,13 +14,18 @@ WindowAdjusted::Active active(int id, double z) {
   return k;
 }
 
-// A place can be seen again before its keyframe leaves the window.
-TEST(RunPath, KnowsTheKeyframesOfTheWindow) {
+// A place of a kept map can be seen before its keyframe leaves the window.
+TEST(RunPath, KnowsTheKeyframesOfTheWindowOnceOneIsInAKeptMap) {
   RunPath path;
   path.marginalised[0] = {0, 0, 0, SE3()};
   path.marginalised[3] = {3, 0, 9, SE3(Eigen::Quaterniond::Identity(), {0, 0, 3})};
   path.window.keyframes = std::make_shared<const std::vector<WindowAdjusted::Active>>(
       std::vector<WindowAdjusted::Active>{active(3, 7), active(5, 5)});
+  EXPECT_EQ(path.keyframes().size(), 2U);
+  Constraint found;
+  found.to = NodeId::keyframe(5);
+  found.failure = Constraint::Failure{0.01, Matrix7d::Identity()};
+  path.epochs.add({0, found});
   const std::vector<KeyframeInMap> all = path.keyframes();
   ASSERT_EQ(all.size(), 3U);
   EXPECT_EQ(all[1].id, 3);

@@ -30,10 +30,14 @@ struct RunPath {
   const std::vector<WindowAdjusted::Active>& active() const;
   /// As NeighbourPose::covariance, of two keyframes; nothing if it is not known.
   std::optional<Matrix6d> covariance_between(int id, int later_id) const;
-  /// All of them, ascending id: a place may be seen again while its keyframe is in the window.
+  /// The marginalised keyframes, ascending id; with those of the window once one of these is found in a kept
+  /// map, whose frame and unit the newest pose then has. A loop of the run itself can wait: it moves the past
+  /// alone.
   std::vector<KeyframeInMap> keyframes() const;
   /// All of this for the solution. Refers to this object. `doubt` as in RunSoFar.
   RunSoFar run_so_far(std::function<double(int frame, int later_frame)> doubt) const;
+  /// Whether a keyframe of the window was found in a kept map.
+  bool is_window_in_kept_map() const;
 };
 
 }  // namespace edgevo
