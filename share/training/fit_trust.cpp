@@ -20,15 +20,17 @@ namespace {
 constexpr double kRidge = 2;  // in samples
 // A hand-held camera whose file is 20 % off shows nothing in its corners, edges or adjustments.
 constexpr double kUnseen = 0.05;
-constexpr int kBins = 16;  // of the calibration
 constexpr double kFalseAlarms = 0.02;
 
-// The evaluated motions of ten frames of a run: doubts at their end.
+// The evaluated motions of ten frames of a run: doubts at their end. Where the focal length is to blame the other
+// tests have nothing to explain.
 std::vector<EvaluatedMotion> samples_of(const TrustRun& run) {
   std::vector<EvaluatedMotion> samples;
   for (size_t i = 0; i < run.evaluation.frames.size(); ++i) {
     const FrameError& v = run.evaluation.frames[i];
-    if (!v.is_evaluated || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)]) continue;
+    if (!v.is_evaluated || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)] ||
+        run.p_wrong_focal_length[size_t(v.end)] > 0.5)
+      continue;
     samples.push_back({*run.doubts[size_t(v.end)], v.wrong});
   }
   return samples;
@@ -56,19 +58,19 @@ FittedTrust fit_to(const Runs& runs) {
   const std::vector<EvaluatedMotion> samples = pooled(runs);
   FittedTrust fitted;
   fitted.sum = fit_logistic(samples, kRidge, kUnseen);
-  fitted.knots = calibrate(fitted.sum, samples, kBins);
   return fitted;
 }
 
-double p_right_by(const FittedTrust& fitted, const Inconsistencies& doubts) {
-  return std::min(p_right_at(fitted.knots, fitted.sum.sum(doubts)), p_right_limit(doubts));
+// Of a frame that the trust was built for.
+double p_right_by(const FittedTrust& fitted, const TrustRun& run, size_t frame) {
+  return fitted.sum.p_right(*run.doubts[frame]) * (1 - run.p_wrong_focal_length[frame]);
 }
 
 // The reported of a run with p_right by a fit; below `bound` the state is DEGRADED.
 FrameEvaluation evaluated_by(const TrustRun& run, const FittedTrust& fitted, double bound) {
   std::vector<ReportedFrame> reported = run.reported;
   for (size_t i = 0; i < reported.size(); ++i)
-    if (run.doubts[i]) reported[i].p_right = p_right_by(fitted, *run.doubts[i]);
+    if (run.doubts[i]) reported[i].p_right = p_right_by(fitted, run, i);
   FrameEvaluationOptions rules;
   rules.p_threshold = bound;
   return evaluate_frames(reported, run.truth, rules);
@@ -80,7 +82,7 @@ void add_right(const TrustRun& run, const FittedTrust& fitted, std::vector<doubl
   for (size_t i = 0; i < run.evaluation.frames.size(); ++i) {
     const FrameError& v = run.evaluation.frames[i];
     if (v.is_evaluated && !v.wrong && !v.aftermath && run.doubts[i])
-      p->push_back(v.alarm ? 0.0 : p_right_by(fitted, *run.doubts[i]));
+      p->push_back(v.alarm ? 0.0 : p_right_by(fitted, run, i));
   }
 }
 

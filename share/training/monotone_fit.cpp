@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace edgevo::training {
 namespace {
@@ -29,44 +28,29 @@ double newton_step(const std::vector<EvaluatedMotion>& samples, const std::vecto
   return curvature > 0 ? -slope / curvature : 0;
 }
 
-struct Bin {
-  double weight = 0, right = 0, sum = 0;
-  double p_right() const { return right / weight; }
-};
-
-std::vector<Bin> binned(const LogisticSum& fit, const std::vector<EvaluatedMotion>& samples, int bins) {
-  std::vector<std::pair<double, const EvaluatedMotion*>> sorted;
-  double total = 0;
-  for (const EvaluatedMotion& s : samples) sorted.emplace_back(fit.sum(s.doubts), &s), total += s.weight;
-  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<double> ends;
-  for (int b = 1; b < bins; ++b) ends.push_back(0.9 * b / (bins - 1));
-  for (int b = 1; b <= bins; ++b) ends.push_back(0.9 + 0.1 * b / bins);
-  std::vector<Bin> out(1);
-  double seen = 0;
-  size_t end = 0;
-  for (const auto& [sum, sample] : sorted) {
-    if (end + 1 < ends.size() && seen > ends[end] * total) {
-      if (out.back().weight > 0) out.emplace_back();
-      while (end + 1 < ends.size() && seen > ends[end] * total) ++end;
-    }
-    Bin& bin = out.back();
-    bin.weight += sample->weight, bin.sum += sample->weight * sum;
-    if (!sample->is_wrong) bin.right += sample->weight;
-    seen += sample->weight;
+Inconsistencies mean_of_right(const std::vector<EvaluatedMotion>& samples) {
+  Inconsistencies mean{};
+  double weight = 0;
+  for (const EvaluatedMotion& s : samples) {
+    if (s.is_wrong) continue;
+    weight += s.weight;
+    for (size_t k = 0; k < kConsistencyTests; ++k) mean[k] += s.weight * s.doubts[k];
   }
-  if (out.back().weight == 0) out.pop_back();
-  return out;
+  for (double& m : mean) m /= std::max(weight, 1e-9);
+  return mean;
 }
 
 }  // namespace
 
-double LogisticSum::sum(const Inconsistencies& doubts) const {
-  return std::inner_product(doubts.begin(), doubts.end(), weights.begin(), 0.0);
+double LogisticSum::p_right(const Inconsistencies& doubts) const {
+  double odds = bias;
+  for (size_t k = 0; k < kConsistencyTests; ++k) odds += weights[k] * (doubts[k] - usual[k]);
+  return 1 - sigmoid(odds);
 }
 
 LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge, double unseen) {
   LogisticSum fit;
+  fit.usual = mean_of_right(samples);
   std::vector<double> z(samples.size(), 0);
   for (int round = 0; round < 300; ++round) {
     double largest = 0;
@@ -76,7 +60,7 @@ LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double rid
     fit.bias += shift, largest = std::abs(shift);
     for (double& value : z) value += shift;
     for (size_t k = 0; k < kConsistencyTests; ++k) {
-      const auto doubt = [&](size_t i) { return samples[i].doubts[k]; };
+      const auto doubt = [&](size_t i) { return samples[i].doubts[k] - fit.usual[k]; };
       const double step = newton_step(samples, z, unseen, doubt, ridge * fit.weights[k], ridge);
       const double weight = std::max(0.0, fit.weights[k] + std::clamp(step, -1.0, 1.0));
       const double change = weight - fit.weights[k];
@@ -87,27 +71,6 @@ LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double rid
     if (largest < 1e-5) break;
   }
   return fit;
-}
-
-std::vector<Knot> calibrate(const LogisticSum& fit, const std::vector<EvaluatedMotion>& samples, int bins) {
-  std::vector<Bin> pools;
-  for (const Bin& bin : binned(fit, samples, bins)) {
-    pools.push_back(bin);
-    while (pools.size() > 1 && pools.back().p_right() >= pools[pools.size() - 2].p_right()) {
-      Bin& before = pools[pools.size() - 2];
-      before.weight += pools.back().weight, before.right += pools.back().right,
-          before.sum += pools.back().sum;
-      pools.pop_back();
-    }
-  }
-  std::vector<Knot> knots;
-  for (const Bin& pool : pools)
-    knots.push_back({pool.sum / pool.weight, std::clamp(pool.p_right(), 0.005, 0.995)});
-  return knots;
-}
-
-double p_right_at(const std::vector<Knot>& knots, double sum) {
-  return edgevo::p_right_at(knots.data(), knots.size(), sum);
 }
 
 double conformal_lower_bound(std::vector<double> values, double share) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A logistic sum with weights that are not negative, its calibration by isotonic regression, and a bound by
-// split conformal prediction: what edgevo_fit_trust is made of.
+// A logistic sum with weights that are not negative, and a bound by split conformal prediction: what
+// edgevo_fit_trust is made of.
 #include <array>
 #include <vector>
 
@@ -17,13 +17,14 @@ struct EvaluatedMotion {
   double weight = 1;
 };
 
-/// Weights of the doubts, all at least 0, and the bias: log odds of a wrong motion = bias + sum.
+/// Log odds of a wrong motion = bias + sum of weight (doubt - usual): weights of the doubts, all at least 0, and
+/// their means over right motions.
 struct LogisticSum {
-  Inconsistencies weights{};
+  Inconsistencies weights{}, usual{};
   double bias = 0;
 
-  /// The sum without the bias.
-  double sum(const Inconsistencies& doubts) const;
+  /// Probability of a right motion.
+  double p_right(const Inconsistencies& doubts) const;
 };
 
 /// Minimises the weighted log loss plus `ridge` times half the square of the weights, by coordinate descent;
@@ -31,14 +32,6 @@ struct LogisticSum {
 /// share of wrong motions, 0 to 1, that no doubt shows; the others are not weighted as if they had to explain
 /// them.
 LogisticSum fit_logistic(const std::vector<EvaluatedMotion>& samples, double ridge, double unseen = 0);
-
-using Knot = CalibrationKnot;
-/// Isotonic regression of "right" on the sum: the samples in bins of equal weight (`bins` of them, and as
-/// many again in the upper tenth), pooled until p_right does not rise with the sum. p_right stays within
-/// 0.005 and 0.995. Knots of ascending sum; equal neighbours are excluded.
-std::vector<Knot> calibrate(const LogisticSum& fit, const std::vector<EvaluatedMotion>& samples, int bins);
-/// As edgevo::p_right_at().
-double p_right_at(const std::vector<Knot>& knots, double sum);
 
 /// The value that at most `share` of further values like these are below, by split conformal prediction: the
 /// value of rank floor(share (n + 1)), from 1; below all values if that is 0.

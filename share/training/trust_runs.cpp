@@ -65,12 +65,14 @@ void replay(const std::string& folder, TrustRun* run) {
   int segment = -1;
   for (ReportedFrame& frame : run->reported) {
     run->doubts.emplace_back();
+    run->p_wrong_focal_length.push_back(0);
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
     if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
       if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map();
       history.add({*frame.T_world_cam, {}, 1, evidence.stands});
-      run->doubts.back() = trust.add({evidence, frame.segment, history.newest()}).doubts;
+      const FrameConfidence confidence = trust.add({evidence, frame.segment, history.newest()});
+      run->doubts.back() = confidence.doubts, run->p_wrong_focal_length.back() = confidence.p_wrong_focal_length;
       frame.state = frame_status(evidence, StatusParams()).state;
     } else {
       history.interrupt();

@@ -19,6 +19,8 @@ struct TrustRun {
   std::vector<ReportedFrame> reported;
   /// Inconsistencies of each frame that the trust was built for.
   std::vector<std::optional<Inconsistencies>> doubts;
+  /// Probability that a wrong focal length has bent the turn, of each frame.
+  std::vector<double> p_wrong_focal_length;
   /// Ground truth.
   Trajectory truth;
   /// Evaluation of the live poses; noticed and alarm are those by the image alone.

@@ -9,10 +9,8 @@ namespace edgevo::training {
 
 /// The fitted trust in a frame.
 struct FittedTrust {
-  /// Weights of the doubts; the calibration takes the place of the bias.
+  /// Log odds of a wrong motion.
   LogisticSum sum;
-  /// p_right at sums of doubts.
-  std::vector<Knot> knots;
   /// p_right below which a frame is doubtful.
   double bound = 0;
 };

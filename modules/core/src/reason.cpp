@@ -67,33 +67,25 @@ const char* pattern_of(ReasonKind kind) {
       return "a step of %.0f times the usual one";
     case ReasonKind::kRotationByCorners:
       return "rotation over 10 frames differs from the corners' by %.1f degrees";
-    case ReasonKind::kMotionByCorners:
-      return "motion over 10 frames differs from the corners' by %.0f %%";
     case ReasonKind::kFocalLength:
       return "a turn with a focal length that the corners put %.0f %% off";
-    case ReasonKind::kCornersContradict:
-      return "%.0f %% of the corners contradict the motion";
-    case ReasonKind::kFewCornersToCheck:
-      return "too few corners to check the motion (%.0f)";
     case ReasonKind::kTurn:
       return "a translation that the turn hides";
     case ReasonKind::kSteps:
       return "steps unlike those before";
     case ReasonKind::kResidual:
       return "edges are %.1f px off where the map puts them";
+    case ReasonKind::kLittleInformation:
+      return "edges hardly determine the motion (%.1f %% of the depth, or of a radian)";
     case ReasonKind::kAdjustment:
       return "keyframes were tracked worse than expected";
-    case ReasonKind::kStarvation:
-      return "too few points to rely on (%.0f of known depth; inlier share %.2f)";
-    case ReasonKind::kImage:
-      return "blurred or saturated images";
   }
   return "";
 }
 
 bool is_share(ReasonKind kind) {
-  return kind == ReasonKind::kFewAgree || kind == ReasonKind::kMotionByCorners ||
-         kind == ReasonKind::kFocalLength || kind == ReasonKind::kCornersContradict;
+  return kind == ReasonKind::kFewAgree || kind == ReasonKind::kFocalLength ||
+         kind == ReasonKind::kLittleInformation;
 }
 
 }  // namespace

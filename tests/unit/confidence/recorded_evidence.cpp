@@ -16,8 +16,7 @@ constexpr int kDigitsOfP = 5, kDigitsOfDoubt = 4;  // after the point
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kNoPose = "-";
 constexpr std::array<const char*, kConsistencyTests> kDoubtNames{
-    "motion", "focal_length", "corner_agreement", "no_witness", "turn",
-    "step",   "residual",     "adjustment",       "starvation", "image"};
+    "rotation", "turn", "unit", "step", "residual", "information", "adjustment"};
 
 // A number of a frame, to be written or read.
 struct Column {
@@ -74,8 +73,6 @@ const std::vector<Column>& columns() {
       motion_column<3>("turn_x"),
       motion_column<4>("turn_y"),
       motion_column<5>("turn_z"),
-      evidence_column<&E::saturated_share>("saturated_share"),
-      evidence_column<&E::edge_blur>("edge_blur"),
       evidence_column<&E::median_depth>("median_depth"),
       {"stands", [](const RecordedFrame& f) { return double(f.evidence.stands); },
        [](double v, RecordedFrame* f) { f->evidence.stands = v == 1; }},
@@ -84,8 +81,6 @@ const std::vector<Column>& columns() {
       evidence_column<&E::residual_px>("residual_px"),
       {"pose_sigma", [](const RecordedFrame& f) { return f.evidence.pose_sigmas.back(); },
        [](double v, RecordedFrame* f) { f->evidence.pose_sigmas.fill(v); }},
-      count_column<&E::known_points>("known_points"),
-      evidence_column<&E::view_share>("view_share"),
       evidence_column<&E::focal_error>("focal_error"),
       evidence_column<&E::focal_error_sigma>("focal_error_sigma"),
       {"corners",
@@ -93,11 +88,8 @@ const std::vector<Column>& columns() {
        [](double v, RecordedFrame* f) {
          if (count_of(v)) f->evidence.corners.emplace().tracks = int(v);
        }},
-      corner_column<&C::agreeing_share>("agreeing_share"),
+      corner_column<&C::change_10>("change_10"),
       corner_column<&C::change_10_sigma>("change_10_sigma"),
-      corner_column<&C::motion_error>("motion_error"),
-      corner_column<&C::motion_sigma>("motion_sigma"),
-      corner_column<&C::motion_error_depths>("motion_error_depths"),
       corner_column<&C::rotation_deg>("rotation_deg"),
       corner_column<&C::rotation_sigma_deg>("rotation_sigma_deg"),
   };

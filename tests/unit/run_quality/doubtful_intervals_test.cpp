@@ -52,12 +52,12 @@ TEST(DoubtfulIntervals, FramesOfUnknownTrustAreNotDoubted) {
 
 TEST(DoubtfulIntervals, GiveTheirFramesAndTheCommonestReasonWhateverItsNumbers) {
   edgevo::Run run = run_of(100);
-  doubt(&run, 10, 11, {ReasonKind::kImage});
+  doubt(&run, 10, 11, {ReasonKind::kTurn});
   doubt(&run, 12, 12, {ReasonKind::kScaleByCorners, 0.7, 10});
   doubt(&run, 13, 14, {ReasonKind::kScaleByCorners, 0.6, 10});
-  doubt(&run, 60, 60, {ReasonKind::kFewCornersToCheck, 3});
+  doubt(&run, 60, 60, {ReasonKind::kResidual, 3});
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 114: scale fell by 0.30 within 10 frames",
-                                      "frame 160: too few corners to check the motion (3)"));
+                                      "frame 160: edges are 3.0 px off where the map puts them"));
   EXPECT_EQ(commonest_doubt(run), "scale fell by 0.30 within 10 frames");
 }
 
@@ -65,8 +65,8 @@ TEST(DoubtfulIntervals, TheMostDoubtfulFrameOfEachOfTheLongestIsFound) {
   edgevo::Run run = run_of(100);
   doubt(&run, 10, 14, kA);
   run.frames[13].p_right = 0.001;
-  doubt(&run, 40, 40, {ReasonKind::kFewCornersToCheck, 3});
-  doubt(&run, 60, 62, {ReasonKind::kImage});
+  doubt(&run, 40, 40, {ReasonKind::kResidual, 3});
+  doubt(&run, 60, 62, {ReasonKind::kTurn});
   for (int i : {61, 62}) run.frames[size_t(i)].p_right = 0.2;
   EXPECT_THAT(most_doubtful_frames(run, 2), ElementsAre(13u, 60u));
   EXPECT_THAT(most_doubtful_frames(run, 9), ElementsAre(13u, 40u, 60u));

@@ -67,29 +67,21 @@ enum class ReasonKind : uint8_t {
   kScaleByCorners,
   /// Difference of the rotation over ten frames to that of the corners, degrees.
   kRotationByCorners,
-  /// The same of the motion, as a share of its length.
-  kMotionByCorners,
   /// Error of the focal length by the corners, as a share.
   kFocalLength,
-  /// Share of the corners that contradict the motion.
-  kCornersContradict,
-  /// Number of corners.
-  kFewCornersToCheck,
   /// A turn that hides the translation.
   kTurn,
   /// Steps unlike those before.
   kSteps,
   /// Distance of edges to where the map puts them, pixels.
   kResidual,
+  /// Largest standard deviation of the pose, as a share of the depth or in radians.
+  kLittleInformation,
   /// Keyframes were tracked worse than expected.
   kAdjustment,
-  /// Points of known depth; inlier share.
-  kStarvation,
-  /// Blurred or saturated images.
-  kImage,
 };
 /// The last kind.
-inline constexpr ReasonKind kLastReasonKind = ReasonKind::kImage;
+inline constexpr ReasonKind kLastReasonKind = ReasonKind::kAdjustment;
 
 /// A reason; a number that its kind does not have is NaN.
 struct Reason {
