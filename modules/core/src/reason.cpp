@@ -54,7 +54,8 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kMapInMaking:
       return "a map is being made";
     case ReasonKind::kMayBeEgoPart:
-      return "part of the view may be fixed to the camera: the map waits";
+      return "what moves may not be the scene, most of the view stands, or a part is fixed to the camera: "
+             "the map waits";
     case ReasonKind::kDiverged:
       return "alignment diverged";
     case ReasonKind::kFewPointsInView:

@@ -33,7 +33,8 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
-  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part))
+  if (status.result &&
+      ego_mask_monitor.delays_map(now.may_show_ego_part, now.still, int(status.result->views.size()) - 1))
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);

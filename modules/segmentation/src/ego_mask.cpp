@@ -66,6 +66,31 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   return mask;
 }
 
+namespace {
+
+// Pixel of the raw image that a pixel of the rectified one shows.
+Eigen::Vector2d source_of(const Eigen::Vector2d& px, const Rectification& rectification,
+                          const ImageCorrection& correction) {
+  if (rectification.is_identity() && correction.keeps_lens()) return px;
+  return rectification.raw_pixel(add_lens(correction, rectification.target().ray(px).head<2>()));
+}
+
+}  // namespace
+
+Plane<uint8_t> level_area(const Plane<uint8_t>& raw, const LevelSize& size,
+                          const Rectification& rectification, const ImageCorrection& correction) {
+  Plane<uint8_t> area(size.width, size.height);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < size.width; ++x) {
+      const Eigen::Vector2d px =
+          source_of(Eigen::Vector2d(x, y) * (1 << size.level), rectification, correction);
+      const int u = int(std::lround(px.x())), v = int(std::lround(px.y()));
+      const bool is_inside = u >= 0 && v >= 0 && u < raw.width() && v < raw.height();
+      area.at(x, y) = is_inside ? raw.at(u, v) : 0;
+    }
+  return area;
+}
+
 Plane<uint8_t> raw_area(const Plane<uint8_t>& area, int level, const Rectification& rectification,
                         const ImageCorrection& correction) {
   const Pinhole& pinhole = rectification.target();
@@ -75,8 +100,7 @@ Plane<uint8_t> raw_area(const Plane<uint8_t>& area, int level, const Rectificati
   for (int y = 0; y < pinhole.height; ++y)
     for (int x = 0; x < pinhole.width; ++x) {
       if (!area.at(std::min(x >> level, area.width() - 1), std::min(y >> level, area.height() - 1))) continue;
-      Eigen::Vector2d px(x, y);
-      if (!same) px = rectification.raw_pixel(add_lens(correction, pinhole.ray({px}).head<2>()));
+      const Eigen::Vector2d px = source_of(Eigen::Vector2d(x, y), rectification, correction);
       const int u = int(std::lround(px.x())), v = int(std::lround(px.y()));
       if (u >= 0 && v >= 0 && u < raw.width() && v < raw.height()) raw.at(u, v) = 255;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The mask of what is fixed to the camera, in raw images: given as a file, found (ego_mask_finder.h), or
-// both.
+// The mask of what is fixed to the camera, in raw images: given as a file, found (cell_labels.h), or both.
 #include <memory>
 #include <string>
 
@@ -20,6 +19,15 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height);
 Plane<uint8_t> raw_area(const Plane<uint8_t>& area, int level, const Rectification& rectification,
                         const ImageCorrection& correction);
 
+/// Size of the images of one level of the pyramids, pixels, and its number.
+struct LevelSize {
+  int width, height, level;
+};
+
+/// An area of raw images in a level of the rectified ones, the inverse of raw_area(): 255 there, else 0.
+Plane<uint8_t> level_area(const Plane<uint8_t>& raw, const LevelSize& size,
+                          const Rectification& rectification, const ImageCorrection& correction);
+
 /// The union of what is given and what was found.
 class EgoMask {
  public:
@@ -29,6 +37,8 @@ class EgoMask {
   void set_found(Plane<uint8_t> found);
   /// Removes what was found.
   void clear_found() { all_ = given_; }
+  /// What was given; null if nothing.
+  const std::shared_ptr<const Plane<uint8_t>>& given() const { return given_; }
   /// 255 on parts that are fixed to the camera, else 0; null if there are none. The same object until it
   /// changes.
   const std::shared_ptr<const Plane<uint8_t>>& mask() const { return all_; }

@@ -10,6 +10,7 @@ namespace {
 // Of the image: as much as changes a map, and is worth a line.
 constexpr double kWorthSaying = 0.01;
 constexpr int kMaxDelayed = 30;  // frames
+constexpr int kMaxStood = 300;   // frames: a queue of traffic, 10 to 30 s
 
 }  // namespace
 
@@ -29,9 +30,9 @@ bool EgoMaskMonitor::take(const FramePyramid& frame) {
   return true;
 }
 
-bool EgoMaskMonitor::delays_map(bool may_show_ego_part) {
-  if (!may_show_ego_part) return false;
-  return ++delayed_ <= kMaxDelayed;
+bool EgoMaskMonitor::delays_map(bool may_show_ego_part, const StillCells& still, int images) {
+  if (still.images >= images) return ++stood_ <= kMaxStood;
+  return may_show_ego_part && ++delayed_ <= kMaxDelayed;
 }
 
 }  // namespace edgevo

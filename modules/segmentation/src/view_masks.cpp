@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/segmentation/view_masks.h"
 
+#include <optional>
+
 #include "border_mask.h"
+#include "cell_labels.h"
 #include "ego_mask.h"
-#include "ego_mask_finder.h"
 
 namespace edgevo {
 
@@ -11,9 +13,17 @@ struct ViewMasks::Impl {
   Rectification rectification;
   bool finds_ego_parts;
   BorderMask border;
-  EgoMaskFinder fixed;
+  CellLabels labels;
   EgoMask own;
   std::shared_ptr<const Plane<uint8_t>> ego_of_image;  // the newest one
+  std::optional<ImageCorrection> excluded_with;        // lens for which what was given is excluded
+
+  // What was given is no evidence.
+  void exclude_given(const ImageEdges& edges, int level, const ImageCorrection& correction) {
+    if (!own.given() || (excluded_with && correction.has_lens_of(*excluded_with))) return;
+    excluded_with = correction;
+    labels.exclude(level_area(*own.given(), {edges.width, edges.height, level}, rectification, correction));
+  }
 };
 
 ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& params)
@@ -23,6 +33,7 @@ ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& param
                      {},
                      EgoMask(params.mask, rectification.camera().pinhole().width,
                              rectification.camera().pinhole().height),
+                     {},
                      {}}) {}
 ViewMasks::~ViewMasks() = default;
 ViewMasks::ViewMasks(ViewMasks&&) noexcept = default;
@@ -37,20 +48,21 @@ bool ViewMasks::wants_edges() const { return impl_->finds_ego_parts; }
 
 void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
                           const ImageCorrection& correction) {
-  if (!impl_->fixed.add(edges, gradient)) return;
-  if (impl_->fixed.area())
-    impl_->own.set_found(raw_area(*impl_->fixed.area(), level, impl_->rectification, correction));
+  impl_->exclude_given(edges, level, correction);
+  if (!impl_->labels.add(edges, gradient)) return;
+  if (impl_->labels.area())
+    impl_->own.set_found(raw_area(*impl_->labels.area(), level, impl_->rectification, correction));
   else
     impl_->own.clear_found();
 }
 
 // What was found in this image holds from the next one on.
 bool ViewMasks::may_show_ego_part() const {
-  return impl_->finds_ego_parts && (impl_->fixed.is_undecided() || impl_->own.mask() != impl_->ego_of_image);
+  return impl_->finds_ego_parts && (impl_->labels.is_undecided() || impl_->own.mask() != impl_->ego_of_image);
 }
 
 StillCells ViewMasks::still_cells() const {
-  return impl_->finds_ego_parts ? impl_->fixed.still_cells() : StillCells{};
+  return impl_->finds_ego_parts ? impl_->labels.still_cells() : StillCells{};
 }
 
 }  // namespace edgevo

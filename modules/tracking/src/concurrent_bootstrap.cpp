@@ -38,7 +38,8 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonito
   add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
   late_.add(now);
   BootstrapStatus status = poll();
-  if (status.result && ego_mask_monitor.delays_map(now.may_show_ego_part)) {
+  if (status.result &&
+      ego_mask_monitor.delays_map(now.may_show_ego_part, now.still, int(status.result->views.size()) - 1)) {
     resume();
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   }

@@ -20,7 +20,7 @@ struct EdgeParams {
   std::string folder;
   /// Path; may be empty.
   std::string mask;
-  /// Find and mask what is fixed to the camera (src/ego_mask_finder.h).
+  /// Find and mask what is fixed to the camera (src/cell_labels.h).
   bool find_own_parts = true;
   /// Levels.
   int levels = 4;

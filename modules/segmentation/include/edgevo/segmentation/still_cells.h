@@ -14,6 +14,8 @@ struct StillCells {
   int columns = 0, rows = 0;
   /// By row: 1 for a cell that stands still.
   std::vector<uint8_t> is_still = {};
+  /// Number of images since more of the view moved than stood still.
+  int images = 0;
 
   /// Whether there are none.
   bool empty() const { return is_still.empty(); }

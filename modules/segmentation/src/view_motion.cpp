@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_motion.h"
+
+#include <utility>
+
+namespace edgevo {
+namespace {
+
+constexpr int kMinInBlock = 4;         // edges that show whether a block moves
+constexpr double kMinStill = 0.7;      // share of a block's edges that keep their place
+constexpr int kMinImages = 2;          // for one, every slow camera stands
+constexpr double kMinStanding = 0.15;  // share of the blocks that are still before a camera that stands
+
+}  // namespace
+
+void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {
+  constexpr size_t kBlocks = kColumns * kRows;
+  std::vector<int> all(kBlocks), seen(kBlocks);
+  for (const KeptEdge& e : edges.all()) {
+    if (!votes[size_t(e.cell)]) continue;
+    ++all[size_t(edges.block(e.cell))];
+    seen[size_t(edges.block(e.cell))] += e.seen;
+  }
+  std::vector<uint8_t> stood = std::exchange(still_, std::vector<uint8_t>(kBlocks));
+  stood.resize(kBlocks);
+  moves_.assign(kBlocks, 0);
+  cells_ = moving_ = 0;
+  int still = 0, stood_blocks = 0, still_standing = 0;
+  for (size_t i = 0; i < kBlocks; ++i) {
+    if (all[i] < kMinInBlock) continue;
+    ++cells_;
+    moves_[i] = 2 * seen[i] < all[i];
+    moving_ += moves_[i];
+    still_[i] = seen[i] >= kMinStill * all[i];
+    still += still_[i];
+    stood_blocks += stood[i];
+    still_standing += stood[i] && still_[i];
+  }
+  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * cells_
+                    : cells_ > 0 && 2 * still >= cells_;
+  standing_ = stands_ ? standing_ + 1 : 0;
+  since_moving_ = moving_ > still ? 0 : since_moving_ + 1;
+}
+
+StillCells ViewMotion::still_cells() const {
+  if (standing_ < kMinImages) return {0, 0, {}, since_moving_};
+  return {kColumns, kRows, still_, since_moving_};
+}
+
+}  // namespace edgevo
