@@ -105,12 +105,14 @@ void check_light(const std::string& kind) {
 void check_map(const ServoParams& servo, const std::string& out) {
   if (servo.is_carried && servo.map.empty())
     throw InputError("--carried", "is for a goal that was kept", "give --map, too");
+  if (servo.is_carried && !(servo.blackout_s > 0))
+    throw InputError("--carried", "is for a camera in darkness", "give --blackout, too");
   if (servo.map.empty()) return;
   if (servo.law != "pbvs")
     throw InputError("--law " + servo.law, "steers by points that were taught in the same loop",
                      "omit --law or --map");
-  std::error_code is_new;
-  if (std::filesystem::equivalent(servo.map, out, is_new))
+  std::error_code ignored;
+  if (std::filesystem::equivalent(servo.map, out, ignored))
     throw InputError("--map " + servo.map, "is the folder for the results, too", "give another -o");
 }
 

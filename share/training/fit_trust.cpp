@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (confidence/motion_confidence.h) to runs with
-// ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights and the calibration, for
+// ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights, for
 // modules/confidence/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +18,8 @@ namespace edgevo::training {
 namespace {
 
 constexpr double kRidge = 2;  // in samples
-// A hand-held camera whose file is 20 % off shows nothing in its corners, edges or adjustments.
+// Share of the wrong motions that no test shows, chosen: a hand-held camera whose file is 20 % off shows nothing in
+// its corners, edges or adjustments.
 constexpr double kUnseen = 0.05;
 constexpr double kFalseAlarms = 0.02;
 

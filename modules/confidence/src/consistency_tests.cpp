@@ -31,6 +31,7 @@ double evidence_of_rotation(const CornerEvidence& c) {
 }
 
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad) {
+  if (!std::isfinite(length_depths)) return CornerEvidence::kUnknown;
   const double tolerance =
       std::max(kMotionTolerance.share_of_depth, kMotionTolerance.share_of_length * length_depths);
   return log_odds(probability_beyond(0, error_per_rad * turn_rad, tolerance));

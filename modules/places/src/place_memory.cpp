@@ -172,8 +172,9 @@ void PlaceMemory::prove_anew(Known* known, Row* row) {
       const std::optional<PlaceMatch> now = match(p.place, p.query, *known, *row);
       if (!now) continue;
       p.T_place_query = now->T_a_b, p.covariance = now->covariance;
-      const auto stated = row->stated.find(row->store->keyframes()[p.query].id);
-      if (!p.is_stated || stated == row->stated.end()) continue;
+      const auto [first, last] = row->stated.equal_range(row->store->keyframes()[p.query].id);
+      const auto stated = std::find_if(first, last, [&](const auto& s) { return s.second == p.constraint; });
+      if (!p.is_stated || stated == last) continue;
       log_->withdraw_constraint(stated->second);
       row->stated.erase(stated);
       p.is_stated = false;
@@ -259,7 +260,11 @@ void PlaceMemory::state(Proved* p, Known* known, Row* row) {
     if (!is_young) withdraw(known->is_sought ? keyframe : std::numeric_limits<int>::max(), &known->young);
   }
   const int number = log_->add_constraint(constraint);
-  if (is_young) return void(row->stated[keyframe] = number);
+  if (is_young) {
+    p->constraint = number;
+    row->stated.emplace(keyframe, number);
+    return;
+  }
   ++(known == &own_ ? counts_.stated : counts_.in_kept_map);
   if (known == &kept_) on_found_(constraint_of(*p, *known->store, *row->store));
 }

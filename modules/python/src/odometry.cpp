@@ -69,7 +69,8 @@ PyOdometry::PyOdometry(const Arguments& a)
   if (!options_.forget) recorder_.emplace(options_.map_log);
   if (on_event_) events_.emplace(options_.map_log);
   const py::gil_scoped_release released;
-  past_.emplace(camera_, std::nullopt, options_, PastParams{params_.scale, params_.places, nullptr, {}});
+  past_.emplace(camera_, std::nullopt, options_,
+                PastParams{params_.scale, params_.places, nullptr, {}, {}, {}});
   odometry_ = std::make_unique<Odometry>(camera_, params_.odometry, options_);
 }
 

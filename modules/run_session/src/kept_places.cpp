@@ -55,6 +55,9 @@ std::string KeptPlaces::extend(const Run& run, const std::string& run_map,
                                const std::vector<Constraint>& found) const {
   const std::string file = map_file_of(path_);
   KeptMap map = read_finished_map(file);
+  if (!map.warnings.empty())
+    throw InputError(file, "is not extended, since that would lose what is damaged: " + map.warnings.front(),
+                     "join what can be read with another map: edgevo join A B -o C");
   const KeptMap of_run = read_finished_map(run_map);
   std::set<int> holding;  // ids
   const std::set<int> frames = frames_found(run);

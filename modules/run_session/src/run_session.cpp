@@ -103,8 +103,9 @@ void RunSession::check_map_request() const {
   if (request_.outputs.forget)
     throw InputError("--map " + request_.map, "places are not looked for with --forget",
                      "omit one of the two");
-  std::error_code is_new;
-  if (std::filesystem::equivalent(request_.map, request_.out, is_new))
+  std::error_code ignored;
+  if (std::filesystem::equivalent(map_file_of(request_.map), std::filesystem::path(request_.out) / kMapFile,
+                                  ignored))
     throw InputError("--map " + request_.map, "is the folder for the results, too", "give another -o");
   if (!request_.extend_map) return;
   if (!request_.params.places.loops)
@@ -262,11 +263,12 @@ bool RunSession::finish() {
   print_end();
   if (kept_map_)
     kept_map_->is_found(run) ? print(kept_map_->statement(run)) : warn(kept_map_->statement(run));
-  if (request_.extend_map && kept_map_->is_found(run)) extend_kept_map(run);
   if (!outputs_->map_note().empty()) warn(outputs_->map_note());
   for (const ClosingLine& line : closing_lines(run, request_.out, request_.outputs.include_doubtful))
     line.is_warning ? warn(line.text) : print(line.text);
   if (!outputs_->mcap_note().empty()) warn(outputs_->mcap_note());
+  if (request_.extend_map && kept_map_ && kept_map_->is_found(run) && outputs_->map_note().empty())
+    extend_kept_map(run);
   if (result_.broken) std::rethrow_exception(result_.broken);
   if (!run.scale.problem.empty())
     throw InputError(request_.out, "the results are in an arbitrary unit", run.scale.problem);

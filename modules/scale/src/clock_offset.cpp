@@ -102,9 +102,9 @@ class ClockFit {
     std::vector<std::vector<TrackPair>> pairs;
     for (const Path* path : paths_) {
       pairs.push_back(pair_up(*path, track));
-      if (!scale_) scale_ = rough_scale(pairs.back());
     }
-    if (!scale_) return {};
+    if (scale_.empty())
+      for (size_t i = 0; i < paths_.size(); ++i) begin_path(i, pairs[i]);
     Eigen::Vector3d place = sensor_in_camera_;
     std::map<Part, Interval> intervals = intervals_of(pairs, place);
     for (int iteration = 0; iteration < kPlaceIterations; ++iteration) {
@@ -126,29 +126,37 @@ class ClockFit {
   double positions() const { return positions_; }
 
  private:
+  // As many parts as intervals, as long as each can have twice the least number of positions.
+  void begin_path(size_t path, const std::vector<TrackPair>& pairs) {
+    scale_.push_back(rough_scale(pairs));
+    const double intervals = paths_[path]->back().distance * scale_.back().value_or(0) / params_.interval;
+    const double most = double(pairs.size()) / (2 * double(kMinTrackPairs));
+    parts_.push_back(std::max(kMinParts, int(std::min(intervals, most))));
+  }
   // The paths in equal parts, the same ones for all offsets, with the sensor at a place in the camera's axes.
   std::map<Part, Interval> intervals_of(const std::vector<std::vector<TrackPair>>& pairs,
                                         const Eigen::Vector3d& place) const {
     std::map<Part, Interval> intervals;
     for (size_t path = 0; path < paths_.size(); ++path) {
+      if (!scale_[path]) continue;
       const double length = paths_[path]->back().distance;
-      const int parts = std::max(kMinParts, int(length * *scale_ / params_.interval));
+      const int parts = parts_[path];
       auto begin = pairs[path].begin();
       for (int part = 1; part <= parts; ++part) {
         const auto end = std::partition_point(begin, pairs[path].end(), [&](const TrackPair& pair) {
           return part == parts || pair.distance < part * length / parts;
         });
-        if (const auto interval = interval_of({begin, end}, place))
+        if (const auto interval = interval_of({begin, end}, place, *scale_[path]))
           intervals.emplace(Part{path, part}, *interval);
         begin = end;
       }
     }
     return intervals;
   }
-  std::optional<Interval> interval_of(const std::vector<TrackPair>& pairs,
-                                      const Eigen::Vector3d& place) const {
+  static std::optional<Interval> interval_of(const std::vector<TrackPair>& pairs,
+                                             const Eigen::Vector3d& place, double scale) {
     if (pairs.size() < kMinTrackPairs) return std::nullopt;
-    const auto fit = TrackRegression(pairs, place, *scale_).fit(std::vector<int>(pairs.size(), 0));
+    const auto fit = TrackRegression(pairs, place, scale).fit(std::vector<int>(pairs.size(), 0));
     return fit ? std::make_optional<Interval>(*fit, pairs) : std::nullopt;
   }
 
@@ -156,7 +164,8 @@ class ClockFit {
   const VehicleTrack track_;
   const Eigen::Vector3d sensor_in_camera_;
   const ScaleParams& params_;
-  std::optional<double> scale_;
+  std::vector<std::optional<double>> scale_;  // by path, each has a unit of its own
+  std::vector<int> parts_;
   double positions_ = 0;
 };
 
@@ -240,8 +249,12 @@ std::optional<ClockOffset> clock_offset(const std::vector<const Path*>& paths, c
   const double coarse = best_of(&search, -kMaxOffset_s, kMaxOffset_s, kCoarseStep_s);
   const Profile profile(&search, coarse - kCoarseStep_s, coarse + kCoarseStep_s);
   const double late = profile.best({paths.size(), 0}), sigma = profile.sigma();
+  // At the border it is beyond it.
+  if (std::abs(late) > kMaxOffset_s - kFineStep_s) return std::nullopt;
   ClockFit fit(paths, within_both(paths, thinned(track), late), sensor_in_camera, params);
-  if (!(trimmed_gain(fit.cost(0), fit.cost(late)) > gain_by_chance(fit.positions(), 1))) return std::nullopt;
+  const ClockFit::Cost as_stamped = fit.cost(0), corrected_by_it = fit.cost(late);
+  const double chance = gain_by_chance(std::max(fit.positions(), 1.0), 1);
+  if (!(trimmed_gain(as_stamped, corrected_by_it) > chance)) return std::nullopt;
   if (!(std::abs(late) > kCertainSigmas * sigma)) return std::nullopt;
   return ClockOffset{late, sigma};
 }

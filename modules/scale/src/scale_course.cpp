@@ -123,7 +123,7 @@ double CourseGraph::interval_units(size_t path) const {
   for (const SourceSamples& samples : paths_[path].sources)
     if (const auto factor = rough_scale(samples, params_)) factors.push_back(*factor);
   if (factors.empty()) return whole;
-  // The smaller of two: a source that jumps measures too much.
+  // The smaller of two: a source that jumps all the time measures too much.
   const auto middle = factors.begin() + std::ptrdiff_t((factors.size() - 1) / 2);
   std::nth_element(factors.begin(), middle, factors.end());
   return std::min(params_.interval / *middle, whole);

@@ -57,7 +57,8 @@ enum class CourseModes {
 };
 
 /// Cost: two fits for each interval and source, and the solution of the graph, which is linear in the length
-/// of the run. With kOfGuess IntervalMeasurement::holds is not set.
+/// of the run. With kOfGuess IntervalMeasurement::holds is set for wheels
+/// alone.
 ScaleCourse solve_scale_course(const std::vector<MeasuredPath>& paths, const ScaleParams& params,
                                CourseModes modes = CourseModes::kOfGraph);
 

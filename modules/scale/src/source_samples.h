@@ -43,7 +43,7 @@ struct IntervalFit {
 std::optional<IntervalFit> fit_interval(const SourceSamples& samples, double begin, double end,
                                         const ScaleParams& params);
 
-/// Metres per unit over the whole path, not robust; nullopt if there is none.
+/// Metres per unit over the whole path, roughly; nullopt if there is none.
 std::optional<double> rough_scale(const SourceSamples& samples, const ScaleParams& params);
 
 /// Relative standard deviation of what all intervals of a source have in common: for the camera's height,

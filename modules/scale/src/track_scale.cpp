@@ -176,14 +176,19 @@ struct Selection {
   }
   // Of all pairs: that of the nearest of these before a pair, or after it.
   std::vector<int> groups_before(const std::vector<int>& group, size_t count) const {
-    std::vector<int> all(count, group.front());
-    for (size_t k = 0; k < places.size(); ++k)
-      std::fill(all.begin() + std::ptrdiff_t(places[k]), all.end(), group[k]);
+    std::vector<int> all(count);
+    for (size_t i = 0, k = 0; i < count; ++i) {
+      while (k + 1 < places.size() && places[k + 1] <= i) ++k;
+      all[i] = group[k];
+    }
     return all;
   }
   std::vector<int> groups_after(const std::vector<int>& group, size_t count) const {
-    std::vector<int> all(count, group.back());
-    for (size_t k = places.size(); k-- > 0;) std::fill_n(all.begin(), places[k] + 1, group[k]);
+    std::vector<int> all(count);
+    for (size_t i = 0, k = 0; i < count; ++i) {
+      while (k + 1 < places.size() && places[k] < i) ++k;
+      all[i] = group[k];
+    }
     return all;
   }
   std::vector<int> groups_of_these(const std::vector<int>& all) const {

@@ -56,7 +56,7 @@ class CellLabels {
   bool update_area();
 
   int width_ = 0, height_ = 0;
-  // Of the last image from which most of the view moved, and of one some of these images before.
+  // Of the last image from which most of the view moved, and of one 8 to 16 such images earlier.
   std::optional<KeptEdges> recent_, kept_, next_;
   ViewMotion motion_, motion_of_kept_;
   int age_ = 0;                                       // of what is kept, images

@@ -24,11 +24,11 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
   std::vector<uint8_t> stood = std::exchange(still_, std::vector<uint8_t>(kBlocks));
   stood.resize(kBlocks);
   moves_.assign(kBlocks, 0);
-  cells_ = moving_ = 0;
+  voting_ = moving_ = 0;
   int still = 0, stood_blocks = 0, still_standing = 0;
   for (size_t i = 0; i < kBlocks; ++i) {
     if (all[i] < kMinInBlock) continue;
-    ++cells_;
+    ++voting_;
     moves_[i] = 2 * seen[i] < all[i];
     moving_ += moves_[i];
     still_[i] = seen[i] >= kMinStill * all[i];
@@ -36,8 +36,8 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
     stood_blocks += stood[i];
     still_standing += stood[i] && still_[i];
   }
-  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * cells_
-                    : cells_ > 0 && 2 * still >= cells_;
+  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * voting_
+                    : voting_ > 0 && 2 * still >= voting_;
   standing_ = stands_ ? standing_ + 1 : 0;
   since_moving_ = moving_ > still ? 0 : since_moving_ + 1;
 }

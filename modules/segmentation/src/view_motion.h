@@ -19,17 +19,16 @@ class ViewMotion {
   /// evidence.
   void vote(const KeptEdges& edges, const std::vector<uint8_t>& votes);
   /// Whether most of the view moves, so that what does not is evidence.
-  bool is_moving() const { return !stands_ && cells_ > 0 && 2 * moving_ >= cells_; }
-  /// Whether the camera stands: half of the view stands still. Once it stands, what crosses the view may
-  /// cover more, little by little; a camera that begins to move moves everything at once.
-  bool stands() const { return stands_; }
+  bool is_moving() const { return !stands_ && voting_ > 0 && 2 * moving_ >= voting_; }
   /// By block: 1 where most edges leave their place.
   const std::vector<uint8_t>& moves() const { return moves_; }
-  /// The blocks that stand still before a camera that stands; else empty.
+  /// The blocks that stand still before a camera that stands; else empty. It stands if half of the view
+  /// stands still. Once it stands, what crosses the view may cover more, little by little; a camera that
+  /// begins to move moves everything at once.
   StillCells still_cells() const;
 
  private:
-  int cells_ = 0, moving_ = 0;
+  int voting_ = 0, moving_ = 0;
   int standing_ = 0, since_moving_ = 0;  // images
   bool stands_ = false;
   std::vector<uint8_t> moves_, still_;

@@ -153,7 +153,10 @@ class ClosedLoop {
       is_found_ = true, camera_.begin_darkness(row->time_s + params_.blackout_at_s);
     unknown_s_ = pose.usable ? 0 : unknown_s_ + 1 / params_.rate_hz;
     if (const auto share = camera_.darkness(row->time_s)) return carry(*share);
-    if (is_found_ && unknown_s_ < kUntilHand_s) return by_hand_s_ = 0, void();
+    if (is_found_ && unknown_s_ < kUntilHand_s) {
+      by_hand_s_ = 0;
+      return;
+    }
     if (by_hand_s_ == 0) T_scene_hand_ = T_scene_cam_;
     by_hand_s_ += 1 / params_.rate_hz;
     T_scene_cam_ = T_scene_hand_ * moved_by_hand(by_hand_s_);

@@ -28,6 +28,10 @@ double seconds_of(bool cpu, const Work& work) {
   return cpu ? 1e-3 * (thread_cpu_ms() - cpu_begin_ms) : took.count();
 }
 
+bool places_in_kept_map(const Constraint& c) {
+  return c.from == NodeId::world() && c.to.kind() == NodeId::Kind::kKeyframe;
+}
+
 }  // namespace
 
 DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
@@ -69,9 +73,10 @@ void DelayedSensor::work(std::vector<ServoRow>* rows) {
 void DelayedSensor::follow_map() {
   for (const auto& event : events_.read()) {
     if (const auto* added = std::get_if<KeyframeAdded>(&*event)) segment_of_[added->id] = added->segment;
-    if (const auto* found = std::get_if<ConstraintAdded>(&*event))
-      if (found->constraint.from == NodeId::world())
-        found_.insert(segment_of_.at(found->constraint.to.number()));
+    if (const auto* found = std::get_if<ConstraintAdded>(&*event);
+        found && places_in_kept_map(found->constraint))
+      if (const auto segment = segment_of_.find(found->constraint.to.number()); segment != segment_of_.end())
+        found_.insert(segment->second);
     if (std::holds_alternative<EpochsPlaced>(*event)) placed_.insert(found_.begin(), found_.end());
   }
 }

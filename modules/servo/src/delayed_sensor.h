@@ -2,6 +2,7 @@
 #pragma once
 // The odometry as the sensor of the servo loop, with its latency.
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulated_camera.h"
 
+#include <limits>
+
 namespace edgevo {
 
 SimulatedCamera::SimulatedCamera(const ServoParams& params, const MotionPlan& plan)
     : renderer_(load_scene("desk")),
-      dark_begin_s_(plan.teach_s + plan.away_s + params.blackout_at_s),
-      dark_end_s_(dark_begin_s_ + params.blackout_s),
+      dark_begin_s_(params.map.empty() ? plan.teach_s + plan.away_s + params.blackout_at_s
+                                       : std::numeric_limits<double>::infinity()),
+      blackout_s_(params.blackout_s),
       light_begin_s_(plan.teach_s) {
   if (!params.light.empty()) light_.emplace(params.light, params.seed);
 }

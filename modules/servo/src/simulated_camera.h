@@ -20,26 +20,26 @@ class SimulatedCamera {
   /// Camera of the images.
   const Camera& model() const { return renderer_.camera(); }
 
-  /// Begins the darkness now, in place of when it was planned.
-  void begin_darkness(double seconds) {
-    dark_end_s_ += seconds - dark_begin_s_;
-    dark_begin_s_ = seconds;
-  }
+  /// Begins the darkness at this time, of a loop that steers to a kept goal: when it will be found is not
+  /// known.
+  void begin_darkness(double seconds) { dark_begin_s_ = seconds; }
   /// How far the darkness has gone, from 0 to 1; nothing outside of it.
   std::optional<double> darkness(double seconds) const {
     if (!is_dark(seconds)) return std::nullopt;
-    return (seconds - dark_begin_s_) / (dark_end_s_ - dark_begin_s_);
+    return (seconds - dark_begin_s_) / blackout_s_;
   }
 
   /// Image number `index` at a pose; nullopt: the camera drops it.
   std::optional<GrayImage> take(const SE3& T_scene_cam, int index, double seconds) const;
 
  private:
-  bool is_dark(double seconds) const { return seconds >= dark_begin_s_ && seconds < dark_end_s_; }
+  bool is_dark(double seconds) const {
+    return seconds >= dark_begin_s_ && seconds < dark_begin_s_ + blackout_s_;
+  }
 
   SceneRenderer renderer_;
   std::optional<Relight> light_;
-  double dark_begin_s_, dark_end_s_, light_begin_s_;
+  double dark_begin_s_, blackout_s_, light_begin_s_;
 };
 
 }  // namespace edgevo

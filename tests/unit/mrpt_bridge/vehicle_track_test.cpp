@@ -61,10 +61,11 @@ TEST(VehicleTrack, OdometryOfTheRichestSensorButNotOurOwn) {
 TEST(VehicleTrack, FixesBecomeMetres) {
   const test::TempFolder folder;
   RawlogWriter writer(folder / "x.rawlog");
-  writer.write(gps(0, 0, 0, 1));
-  writer.write(gps(1, 1 / 60.0, 0, 1));
-  writer.write(gps(2, 0, 1 / 60.0, 1));
+  writer.write(gps(0, 0, 10, 1));
+  writer.write(gps(1, 1 / 60.0, 10, 1));
+  writer.write(gps(2, 0, 10 + 1 / 60.0, 1));
   writer.write(gps(3, 40, 40, 0));  // no fix
+  writer.write(gps(4, 0, 0, 1));    // nor this, whatever it says
   writer.close();
   const VehicleTrack track = read_vehicle_track(folder / "x.rawlog", VehicleSensor::kGps);
   ASSERT_EQ(track.positions.size(), 3u);

@@ -199,6 +199,13 @@ TEST_F(Clocks, ThatAreOffAreFoundAndCorrected) {
       }
 }
 
+TEST_F(Clocks, ThatAreOffByMoreThanIsLookedForAreNotHalfCorrected) {
+  const MadeRun made = drive_over_ground(drive(0.5));
+  const VehicleTracks tracks{
+      {VehicleSensor::kOdometry, test::delayed(test::wheels_of(path_of(made), SensorNoise{}), 3)}};
+  EXPECT_TRUE(estimate(made, "odometry", tracks).clock_offsets.empty());
+}
+
 // Also of a sensor ahead of the camera, which turns earlier, as one with a clock that is early does.
 TEST_F(Clocks, ThatAreRightStayAsTheyAre) {
   for (const double speed_changes : {0.0, 0.5})

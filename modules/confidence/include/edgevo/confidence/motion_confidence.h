@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The probability that the motion of the last ten frames is right, from tests that fail differently. Each
-// measures one thing that speaks against the motion (ConsistencyTest), as a number without ramps or bounds:
+// measures one thing that speaks against the motion (ConsistencyTest), as a number without ramps:
 // the log odds that a measured error, with its standard deviation, is beyond the tolerance, or the logarithm
 // of a size. The log odds of a wrong motion are a sum of these with weights of at least 0: more inconsistency
 // never makes p_right larger. The weights are fitted to runs with ground truth by
@@ -32,20 +32,19 @@ enum class ConsistencyTest {
   kUnit,
   /// Steps longer or shorter than usual, in the unit of the map: log ratio.
   kStep,
-  /// Edges lie far from where map and pose put them: what fits neither is rejected, what fits badly stays.
-  /// Log
-  /// of pixels.
+  /// Edges lie far from where map and pose put them: log of pixels. What fits neither is rejected, what fits
+  /// badly stays.
   kResidual,
-  /// The image hardly constrains a direction of the pose: decades of its largest standard deviation, in
-  /// median
-  /// depths or radians.
+  /// The image hardly constrains a direction of the pose: decades of its largest standard deviation (median
+  /// depths or radians).
   kInformation,
   /// The adjustment moves keyframes by more than tracking thought possible: log of squared sigmas.
   kAdjustment,
 };
 /// Number of tests.
 inline constexpr size_t kConsistencyTests = 7;
-/// A value for each test, in the order of the enum; that of right motions where nothing is known.
+/// A value for each test, in the order of the enum; that of right motions where nothing is known, but for
+/// kInformation: a pose without a covariance is as uncertain as the view is deep.
 using Inconsistencies = std::array<double, kConsistencyTests>;
 
 /// A frame that has a pose, as the trust in it is built.

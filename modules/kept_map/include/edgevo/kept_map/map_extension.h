@@ -8,11 +8,11 @@
 
 namespace edgevo {
 
-/// Sessions, the first included, of which a map keeps records of one place.
+/// Segments of runs, the first included, of which a map keeps records of one place.
 inline constexpr int kRecordsOfPlace = 3;
 
 /// Positions in `run` of the keyframes that `map` has no record of. A record shows half of what the keyframe
-/// shows, and the other way round, in the same light: as alike as that of keyframes of one session. In other
+/// shows, and the other way round, in the same light: as alike as that of keyframes of one segment. In other
 /// light there are up to kRecordsOfPlace of a place. Only keyframes with points, of segments that were
 /// placed by a constraint of `found` to one of their keyframes. `run` lies in the frame and unit of `map`.
 /// Cost: 2 us for a keyframe of the run and one of the map that look the same way.

@@ -79,13 +79,14 @@ class PlaceMemory {
   struct Proved : StatedPlace {
     PlaceEvidence evidence;
     bool is_stated = false;
+    int constraint = -1;  // its number, if it may be withdrawn
   };
   // Keyframes that are looked up one after the other.
   struct Row {
     const PlaceStore* store = nullptr;
     PlaceVotes votes;
     std::deque<std::vector<Proved>> recent;  // of the last ones, the newest last
-    std::map<int, int> stated;  // by keyframe, numbers of the constraints that are withdrawn later
+    std::multimap<int, int> stated;  // by keyframe, numbers of the constraints that are withdrawn later
   };
   // Places to be looked up: of this run, or of a map that was kept.
   struct Known {
