@@ -29,8 +29,9 @@ void add_join_command(CLI::App& app, Action* action) {
   command->footer("The result is for `edgevo run --map` and `edgevo info`. Neither map is changed.");
   command->callback([=] {
     *action = [=] {
-      const std::string found = join_map_files(args->first, args->second, args->out);
-      std::printf("%s: %s\n", args->out.c_str(), found.c_str());
+      const JoinedMaps joined = join_map_files(args->first, args->second, args->out);
+      for (const std::string& line : joined.warnings) std::fprintf(stderr, "edgevo: %s\n", line.c_str());
+      std::printf("%s: %s\n", args->out.c_str(), joined.statement.c_str());
       return 0;
     };
   });

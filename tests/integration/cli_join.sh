@@ -35,6 +35,7 @@ below "where the second half begins, of the end of the first map" "$(awk -v a="$
 
 complains "is there already" "$edgevo" join first second -o both.db
 complains "is there already" "$edgevo" join first second -o first/map.db
+complains "once more" "$edgevo" join first first/map.db -o c.db
 complains "nowhere" "$edgevo" join first nowhere -o c.db
 run_code 0 "$edgevo" run "$scenes/desk" -o desk --quiet --frames 0:30
 complains "another camera\|fewer than three" "$edgevo" join first desk -o c.db

@@ -71,8 +71,11 @@ KeptMap join_maps(const KeptMap& a, const KeptMap& b, const MapAlignment& alignm
   return joined;
 }
 
-std::string join_map_files(const std::string& path_a, const std::string& path_b, const std::string& out) {
+JoinedMaps join_map_files(const std::string& path_a, const std::string& path_b, const std::string& out) {
   check_new(out);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(map_file_of(path_a), map_file_of(path_b), ignored))
+    throw InputError(path_b, "is the first map once more", "give the maps of two runs");
   const KeptMap a = read_finished_map(path_a), b = read_finished_map(path_b);
   check_camera(a, b.header.pinhole, map_file_of(path_a));
   const std::optional<MapAlignment> alignment = align_maps(a, b, find_places(a, b));
@@ -80,7 +83,9 @@ std::string join_map_files(const std::string& path_a, const std::string& path_b,
     throw InputError(path_b, "fewer than three of its places were found in " + path_a,
                      "record one of them again so that it passes where the other one has been");
   write_map(join_maps(a, b, *alignment), out);
-  return statement(*alignment, a, b);
+  JoinedMaps joined{statement(*alignment, a, b), a.warnings};
+  joined.warnings.insert(joined.warnings.end(), b.warnings.begin(), b.warnings.end());
+  return joined;
 }
 
 }  // namespace edgevo
