@@ -100,9 +100,7 @@ class ClockFit {
   Cost cost(double late_s) {
     const VehicleTrack track = corrected(track_, late_s);
     std::vector<std::vector<TrackPair>> pairs;
-    for (const Path* path : paths_) {
-      pairs.push_back(pair_up(*path, track));
-    }
+    for (const Path* path : paths_) pairs.push_back(pair_up(*path, track));
     if (scale_.empty())
       for (size_t i = 0; i < paths_.size(); ++i) begin_path(i, pairs[i]);
     Eigen::Vector3d place = sensor_in_camera_;

@@ -5,14 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 
-#include "edgevo/core/error.h"
 #include "edgevo/core/random.h"
 #include "edgevo/edges/opencv_view.h"
-#include "ego_mask.h"
 #include "support/masked_builder.h"
 #include "support/temp_folder.h"
 #include "support/test_images.h"
@@ -357,74 +354,6 @@ TEST(CellLabels, WhatIsMaskedByHandTakesNoPart) {
     EXPECT_TRUE(builder.masks.still_cells().empty()) << i;
     EXPECT_NEAR(pyramid->ego_share(), 0.75, 1e-9) << i;
   }
-}
-
-TEST(ReadMask, ScalesOneOfTheSameShape) {
-  const test::TempFolder folder;
-  const std::string path = folder.path() + "/mask.png";
-  for (const double scale : {0.5, 0.37, 1 / 0.63, 2.0}) {
-    const cv::Size size(int(std::lround(scale * kPartWidth)), int(std::lround(scale * kPartHeight)));
-    cv::Mat large(size, CV_8U, cv::Scalar(255));
-    large(cv::Rect(0, 0, size.width / 2, size.height)) = 0;
-    cv::imwrite(path, large);
-    const Plane<uint8_t> mask = read_mask(path, kPartWidth, kPartHeight);
-    EXPECT_EQ(mask.at(kPartWidth / 2 - 4, 100), 255) << scale;
-    EXPECT_EQ(mask.at(kPartWidth / 2 + 4, 100), 0) << scale;
-    EXPECT_NEAR(cv::countNonZero(as_mat(mask)), kPartWidth * kPartHeight / 2, 2 * kPartHeight) << scale;
-  }
-}
-
-// Programs round sides up, down or to the nearest pixel.
-TEST(ReadMask, ScalesHoweverTheSidesWereRounded) {
-  const test::TempFolder folder;
-  const std::string path = folder.path() + "/mask.png";
-  const auto accepts = [&](const cv::Size& mask, const cv::Size& images) {
-    cv::Mat half(mask, CV_8U, cv::Scalar(255));
-    half.rowRange(0, mask.height / 2) = 0;
-    cv::imwrite(path, half);
-    EXPECT_EQ(read_mask(path, images.width, images.height).at(5, 5), 255) << mask << images;
-  };
-  for (const int width : {620, 621})
-    for (const int height : {188, 189}) {
-      accepts({width, height}, {1241, 377});
-      accepts({width, height}, {621, 189});
-      accepts({1241, 377}, {width, height});
-    }
-  accepts({620, 188}, {621, 188});
-}
-
-TEST(ReadMask, SaysThatTransparencyIsNotRead) {
-  const test::TempFolder folder;
-  const std::string path = folder.path() + "/mask.png";
-  const auto message = [&](const cv::Scalar& colour) -> std::string {
-    cv::Mat drawn(kPartHeight, kPartWidth, CV_8UC4, colour);
-    drawn.rowRange(0, 40) = cv::Scalar(colour[0], colour[1], colour[2], 0);
-    cv::imwrite(path, drawn);
-    try {
-      read_mask(path, kPartWidth, kPartHeight);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
-  };
-  EXPECT_NE(message({0, 0, 0, 255}).find("its transparency is not read"), std::string::npos);
-  EXPECT_NE(message({255, 255, 255, 255}).find("its transparency is not read"), std::string::npos);
-  EXPECT_EQ(message({255, 255, 255, 0}).find("transparency"), std::string::npos);
-}
-
-TEST(ReadMask, RefusesAnotherShapeAndMasksOfNothingOrEverything) {
-  const test::TempFolder folder;
-  const std::string path = folder.path() + "/mask.png";
-  const auto refuses = [&](const cv::Mat& mask) {
-    cv::imwrite(path, mask);
-    EXPECT_THROW(read_mask(path, kPartWidth, kPartHeight), InputError);
-  };
-  cv::Mat other(kPartHeight, kPartWidth + 4, CV_8U, cv::Scalar(255));
-  other.at<uint8_t>(0, 0) = 0;
-  refuses(other);
-  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(255)));
-  refuses(cv::Mat(kPartHeight, kPartWidth, CV_8U, cv::Scalar(0)));
-  EXPECT_THROW(read_mask(folder.path() + "/missing.png", kPartWidth, kPartHeight), InputError);
 }
 
 }  // namespace
