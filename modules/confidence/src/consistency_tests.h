@@ -32,6 +32,7 @@ double change_of_step(double recent, double usual, double median_depth,
 double evidence_of_unit(const CornerEvidence& c, double step_change);
 /// Probability that a turn over ten frames, `turn_deg`, is wrong by a wrong focal length (3 degrees): a turn
 /// is the way of the image over the focal length. `focal_error`: true focal length over the camera's, less 1.
+/// A vague estimate speaks against few files: most are right.
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg);
 
 }  // namespace edgevo

@@ -17,18 +17,18 @@ struct Term {
   double weight, usual;
 };
 constexpr std::array<Term, kConsistencyTests> kTerms{{
-    {ConsistencyTest::kRotation, "rotation", "log odds", 0.1566, -6.5200},
-    {ConsistencyTest::kTurn, "turn", "log odds", 0.4349, -6.5427},
-    {ConsistencyTest::kUnit, "unit", "log ratio", 2.8255, 0.0152},
-    {ConsistencyTest::kStep, "step", "log ratio", 1.6452, 0.1470},
-    {ConsistencyTest::kResidual, "residual", "log of pixels", 2.8817, -0.3393},
-    {ConsistencyTest::kInformation, "information", "decades", 4.2067, -3.1651},
-    {ConsistencyTest::kAdjustment, "adjustment", "log of squared sigmas", 0.3317, 0.1777},
+    {ConsistencyTest::kRotation, "rotation", "log odds", 0.1614, -6.5232},
+    {ConsistencyTest::kTurn, "turn", "log odds", 0.4200, -6.5113},
+    {ConsistencyTest::kUnit, "unit", "log ratio", 2.7383, 0.0164},
+    {ConsistencyTest::kStep, "step", "log ratio", 1.4528, 0.1495},
+    {ConsistencyTest::kResidual, "residual", "log of pixels", 3.0355, -0.3387},
+    {ConsistencyTest::kInformation, "information", "decades", 4.3451, -3.1670},
+    {ConsistencyTest::kAdjustment, "adjustment", "log of squared sigmas", 0.2905, 0.1815},
 }};
 /// Log odds of a wrong motion where all is as usual.
-constexpr double kBias = -5.1293;
+constexpr double kBias = -5.1919;
 
 /// Value of p_right below which a frame is doubtful.
-constexpr double kDoubtfulBelow = 0.2682;
+constexpr double kDoubtfulBelow = 0.4966;
 
 }  // namespace edgevo::trust_table

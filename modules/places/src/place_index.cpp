@@ -53,6 +53,14 @@ std::vector<int> ranks_of(const std::vector<double>& votes) {
   return rank;
 }
 
+// faiss reads its 16 bits in words of 64, so up to six bytes after the last descriptor: a copy with one more.
+std::vector<CornerDescriptor> readable_by_faiss(const std::vector<CornerDescriptor>& descriptors,
+                                                size_t count) {
+  std::vector<CornerDescriptor> copy(count + 1);
+  std::copy_n(descriptors.begin(), count, copy.begin());
+  return copy;
+}
+
 }  // namespace
 
 struct PlaceIndex::Corners {
@@ -67,16 +75,17 @@ PlaceIndex::~PlaceIndex() = default;
 int PlaceIndex::add(const RememberedView& view) {
   const int number = int(signatures_.size());
   signatures_.push_back(view.signature);
-  const std::vector<CornerDescriptor>& d = view.corners.descriptors;
-  if (!d.empty()) corners_->hash.add(faiss::IndexBinary::idx_t(d.size()), d.front().data());
-  corners_->view_of.resize(corners_->view_of.size() + d.size(), number);
+  const size_t count = view.corners.descriptors.size();
+  corners_->hash.add(faiss::IndexBinary::idx_t(count),
+                     readable_by_faiss(view.corners.descriptors, count).front().data());
+  corners_->view_of.resize(corners_->view_of.size() + count, number);
   return number;
 }
 
 std::vector<double> PlaceIndex::votes_by_corners(const RememberedView& query) const {
   std::vector<double> votes(size(), 0);
-  const std::vector<CornerDescriptor>& d = query.corners.descriptors;
-  const size_t corners = std::min(d.size(), kMaxQueryCorners);
+  const size_t corners = std::min(query.corners.descriptors.size(), kMaxQueryCorners);
+  const std::vector<CornerDescriptor> d = readable_by_faiss(query.corners.descriptors, corners);
   std::vector<int32_t> distances(corners * kNearest);
   std::vector<faiss::IndexBinary::idx_t> found(distances.size(), -1);
   for (size_t i = 0; i < corners && !corners_->view_of.empty(); i += kInOneThread)

@@ -74,6 +74,8 @@ TEST(FocalLength, BendsATurnByItsErrorAndWithItsDeviation) {
   EXPECT_NEAR(probability_of_wrong_focal_length(-0.2, 0.01, 12), 0.5, 1e-6) << "15 degrees in truth";
   EXPECT_LT(probability_of_wrong_focal_length(-0.02, 0.01, 40), 0.01);
   EXPECT_EQ(probability_of_wrong_focal_length(0.25, 0.01, 0), 0);
+  EXPECT_LT(probability_of_wrong_focal_length(0.118, 0.057, 40), 0.4) << "two standard deviations off";
+  EXPECT_GT(probability_of_wrong_focal_length(0.215, 0.0745, 40), 0.7) << "three";
   EXPECT_EQ(probability_of_wrong_focal_length(kUnknown, kUnknown, 30), 0);
 }
 
