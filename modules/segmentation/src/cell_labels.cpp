@@ -159,9 +159,9 @@ bool CellLabels::update_area() {
 bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
   if (!kept_) prepare(edges.width, edges.height);
   if (recent_->all().empty()) {
-    recent_->renew(edges, takes_part_);
-    kept_->renew(edges, takes_part_);
-    next_->renew(edges, takes_part_);
+    recent_->renew(edges, gradient, takes_part_);
+    kept_->renew(edges, gradient, takes_part_);
+    next_->renew(edges, gradient, takes_part_);
     return false;
   }
   recent_->look(gradient);
@@ -171,10 +171,10 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
   motion_of_kept_.vote(*kept_, voters());
   weigh(kept_->chances(motion_of_kept_.moves()));
   label();
-  recent_->renew(edges, takes_part_);
+  recent_->renew(edges, gradient, takes_part_);
   if (++age_ % kOld == 0) {
     std::swap(kept_, next_);
-    next_->renew(edges, takes_part_);
+    next_->renew(edges, gradient, takes_part_);
   }
   return update_area();
 }

@@ -10,8 +10,9 @@
 namespace edgevo {
 namespace {
 
-constexpr float kFaintest = 8;          // Sobel units: noise alone makes half as much
-constexpr float kSameDirection = 0.9f;  // cosine
+constexpr float kFaintest = 8;           // Sobel units: noise alone makes half as much
+constexpr float kClear = 3 * kFaintest;  // of a cell's steepest pixel: found again under noise
+constexpr float kSameDirection = 0.9f;   // cosine
 // Directions of edges, regions of the view by row and column, whose chances are measured.
 constexpr int kDirections = 12, kRegions = 3;
 constexpr double kPriorEdges = 20;  // of all places and directions, that a chance is measured with
@@ -68,13 +69,39 @@ void KeptEdges::look(const Gradient& gradient) {
   for (KeptEdge& e : edges_) e.seen = shows_edge(gradient, e.x, e.y, e.nx, e.ny);
 }
 
-void KeptEdges::renew(const ImageEdges& edges, const std::vector<uint8_t>& takes_part) {
+// The steepest pixel of a cell; its gradient falls on both sides.
+std::optional<EdgePixel> KeptEdges::steepest_of(int cell, const Gradient& gradient) const {
+  const int left = cell % columns_ * cell_px_, top = cell / columns_ * cell_px_;
+  float most = kClear;
+  int at_x = -1, at_y = -1;
+  for (int y = std::max(top, 2); y < std::min(top + cell_px_, height_ - 2); ++y) {
+    const float* row = gradient.magnitude.row(y);
+    for (int x = std::max(left, 2); x < std::min(left + cell_px_, width_ - 2); ++x)
+      if (row[x] > most) most = row[x], at_x = x, at_y = y;
+  }
+  if (at_x < 0) return std::nullopt;
+  EdgePixel e;
+  e.x = float(at_x), e.y = float(at_y);
+  const float dx = gradient.dx.at(at_x, at_y), dy = gradient.dy.at(at_x, at_y), length = std::hypot(dx, dy);
+  e.nx = dx / length, e.ny = dy / length;
+  if (!shows_edge(gradient, e.x, e.y, e.nx, e.ny)) return std::nullopt;
+  return e;
+}
+
+void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient,
+                      const std::vector<uint8_t>& takes_part) {
   edges_.clear();
+  std::vector<uint8_t> has_one(takes_part.size());
   for (size_t i = 0; i < edges.pixels.size(); i += step_) {
     const EdgePixel& e = edges.pixels[i];
     const int cell = nearest_pixel(e.y) / cell_px_ * columns_ + nearest_pixel(e.x) / cell_px_;
+    has_one[size_t(cell)] = 1;
     if (takes_part[size_t(cell)]) edges_.push_back({e.x, e.y, e.nx, e.ny, cell, kind(e)});
   }
+  for (size_t cell = 0; cell < has_one.size(); ++cell)
+    if (takes_part[cell] && !has_one[cell])
+      if (const auto e = steepest_of(int(cell), gradient))
+        edges_.push_back({e->x, e->y, e->nx, e->ny, int(cell), kind(*e)});
 }
 
 std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves) const {

@@ -2,6 +2,7 @@
 #pragma once
 // The edges of an earlier image, which of them the present one still shows at their place, and the chance of
 // that for an edge of the scene.
+#include <optional>
 #include <vector>
 
 #include "edgevo/edges/gradient.h"
@@ -31,8 +32,10 @@ class KeptEdges {
   KeptEdges(int width, int height, int cell_px, size_t step);
   /// Looks for all of them in an image. Cost: 0.1 ms for 4000.
   void look(const Gradient& gradient);
-  /// Replaces them by those of another image, where `takes_part` of the cell is not 0.
-  void renew(const ImageEdges& edges, const std::vector<uint8_t>& takes_part);
+  /// Replaces them by those of another image, where `takes_part` of the cell is not 0. A cell without one
+  /// gives its steepest pixel, if that stands out of noise: the threshold of edges follows the image, so that
+  /// a textured part would leave the scene around it without a voice. Cost: 0.1 ms for 1241x376.
+  void renew(const ImageEdges& edges, const Gradient& gradient, const std::vector<uint8_t>& takes_part);
   /// All of them.
   const std::vector<KeptEdge>& all() const { return edges_; }
   /// By kind: the share of edges seen at their place, over those in blocks of the view that move
@@ -46,6 +49,7 @@ class KeptEdges {
 
  private:
   int kind(const EdgePixel& e) const;
+  std::optional<EdgePixel> steepest_of(int cell, const Gradient& gradient) const;
 
   int width_, height_, cell_px_, columns_, rows_;
   size_t step_;

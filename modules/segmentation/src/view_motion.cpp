@@ -9,9 +9,18 @@ namespace {
 constexpr int kMinInBlock = 4;         // edges that show whether a block moves
 constexpr double kMinStill = 0.7;      // share of a block's edges that keep their place
 constexpr int kMinImages = 2;          // for one, every slow camera stands
-constexpr double kMinStanding = 0.15;  // share of the blocks that are still before a camera that stands
+constexpr double kMinStanding = 0.05;  // share of the blocks that are still before a camera that stands
+constexpr int kMaxCrossing = 30;       // images in which most of the view moves that was not seen to stand
 
 }  // namespace
+
+// What crosses the view covers, little by little, what stood still all over it.
+bool ViewMotion::is_fixed_part(int still) {
+  was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
+  const bool may_be_fixed = stands_ && !was_all_still_;
+  crossed_images_ = may_be_fixed ? crossed_images_ + (2 * moving_ > voting_) : 0;
+  return crossed_images_ > kMaxCrossing;
+}
 
 void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {
   constexpr size_t kBlocks = kColumns * kRows;
@@ -38,8 +47,9 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
   }
   stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * voting_
                     : voting_ > 0 && 2 * still >= voting_;
+  if (is_fixed_part(still)) stands_ = false;
   standing_ = stands_ ? standing_ + 1 : 0;
-  since_moving_ = moving_ > still ? 0 : since_moving_ + 1;
+  since_moving_ = stands_ || moving_ <= still ? since_moving_ + 1 : 0;
 }
 
 StillCells ViewMotion::still_cells() const {

@@ -24,7 +24,8 @@ class ViewMotion {
   const std::vector<uint8_t>& moves() const { return moves_; }
   /// The blocks that stand still before a camera that stands; else empty. It stands if half of the view
   /// stands still. Once it stands, what crosses the view may cover more, little by little; a camera that
-  /// begins to move moves everything at once.
+  /// begins to move moves everything at once. Where most of the view moves for long and was never seen to
+  /// stand, the rest is fixed to a camera that moves.
   StillCells still_cells() const;
 
  private:
@@ -32,6 +33,10 @@ class ViewMotion {
   int standing_ = 0, since_moving_ = 0;  // images
   bool stands_ = false;
   std::vector<uint8_t> moves_, still_;
+  // Of a camera that stands: whether nearly all was seen to stand still; if not, images in which most moved.
+  bool was_all_still_ = false;
+  int crossed_images_ = 0;
+  bool is_fixed_part(int still);
 };
 
 }  // namespace edgevo

@@ -204,6 +204,25 @@ TEST(CellLabels, APartWithTheStrongestEdgesIsFound) {
   EXPECT_NEAR(pyramid->ego_share(), 0.3, 0.06);
 }
 
+// Its texture takes nearly all edges of the image; what little the scene shows moves, all over the view.
+TEST(CellLabels, ATexturedPartDoesNotOutvoteAFaintScene) {
+  const Body textured = [](double x, double y) -> std::optional<double> {
+    if (y < 0.65 * kPartHeight) return std::nullopt;
+    return random_blocks(x, y, 2);
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 0; i < 30; ++i) {
+    const Body view = [&](double x, double y) -> std::optional<double> {
+      if (const std::optional<double> gray = textured(x, y)) return gray;
+      return 100 + 0.4 * random_blocks(x + 3 * i, y + 1.3 * i, 1);
+    };
+    pyramid = builder.build(part_view(0, 0, view, uint64_t(i + 1)));
+  }
+  ASSERT_TRUE(pyramid->ego_mask);
+  EXPECT_NEAR(pyramid->ego_share(), 0.35, 0.05);
+}
+
 TEST(CellLabels, AKnownPartHasNoVoteInAStandstill) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   for (int i = 0; i < 30; ++i) {
@@ -272,6 +291,20 @@ TEST(StillCells, ShowThatTheCameraStandsFromTheThirdImageOnWhateverCrosses) {
     builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
     EXPECT_EQ(builder.masks.still_cells().empty(), i < 2) << i;
     EXPECT_EQ(builder.masks.still_cells().images, i) << i;
+  }
+}
+
+// A long one that hides four fifths of the view for thirty images.
+TEST(StillCells, StandWhileABusHidesMostOfTheView) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 110; ++i) {
+    const double right = 12 * i;
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x > right || x < right - 800 || y < 50) return std::nullopt;
+      return random_blocks(x - right, y, 3);
+    };
+    builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
+    EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
   }
 }
 

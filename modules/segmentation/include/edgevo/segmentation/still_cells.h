@@ -14,7 +14,7 @@ struct StillCells {
   int columns = 0, rows = 0;
   /// By row: 1 for a cell that stands still.
   std::vector<uint8_t> is_still = {};
-  /// Number of images since more of the view moved than stood still.
+  /// Number of images in which the camera has not been seen to move, whatever crosses the view.
   int images = 0;
 
   /// Whether there are none.
