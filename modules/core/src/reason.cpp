@@ -56,6 +56,8 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kMayBeEgoPart:
       return "what moves may not be the scene, most of the view stands, or a part is fixed to the camera: "
              "the map waits";
+    case ReasonKind::kStands:
+      return "most of the view stands still: move the camera, or mask what is fixed to it (--mask)";
     case ReasonKind::kDiverged:
       return "alignment diverged";
     case ReasonKind::kFewPointsInView:

@@ -19,6 +19,7 @@ void Odometry::Impl::forget_views() {
 void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
   frame_published = false;  // times and note change
+  record.evidence.stands = !now.still.empty();
   if (!concurrent) replay.add(now);
   const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
@@ -36,6 +37,7 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   if (status.result &&
       ego_mask_monitor.delays_map(now.may_show_ego_part, now.still, int(status.result->views.size()) - 1))
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
+  if (!status.result && !now.still.empty()) return {std::nullopt, {{ReasonKind::kStands}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);

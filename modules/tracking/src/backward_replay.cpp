@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/tracking/backward_replay.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "edgevo/alignment/tracker.h"
@@ -18,7 +19,14 @@ constexpr size_t kMaxUsually = 16;         // a part is suspected after a few im
 }  // namespace
 
 void BackwardReplay::add(const ArrivedFrame& now) {
-  frames_.push_back({now.frame.index, now.pyramid});
+  const bool stands = !now.still.empty();
+  is_needed_ |= stands;
+  if (stands && !frames_.empty() && frames_.back().stands) {
+    frames_.back().last = now.frame.index;
+    frames_.back().pyramid = now.pyramid;
+  } else {
+    frames_.push_back({now.frame.index, now.frame.index, stands, now.pyramid});
+  }
   const bool is_suspected = is_needed_ || now.may_show_ego_part;
   while (frames_.size() > (is_suspected ? kMaxWhileSuspected : kMaxUsually)) frames_.pop_front();
 }
@@ -32,21 +40,23 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
   SE3 later = pose_in_map(views.views[1], views, reference),
       last = pose_in_map(views.views.front(), views, reference);
   while (!early.empty()) {
-    const Early frame = std::move(early.back());
+    const Early view = std::move(early.back());
     early.pop_back();
-    if (frame.frame_index >= views.views.front().frame_index) continue;
-    std::optional<FrameRecord> record = frames->find(frame.frame_index);
-    if (!record || record->T_world_cam_live) return;
+    if (view.first >= views.views.front().frame_index) continue;
     const TrackResult found =
-        track(*frame.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
+        track(*view.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
               params.alignment);
-    add_pose(found, reference, &record->evidence);
-    const TrackingState state = frame_status(record->evidence, params.status).state;
-    if (state == TrackingState::kLost) return;
-    assign_status({state, {}}, &*record);
-    record->covariance = reported_covariance(found, reference);
+    for (int i = std::min(view.last, views.views.front().frame_index - 1); i >= view.first; --i) {
+      std::optional<FrameRecord> record = frames->find(i);
+      if (!record || record->T_world_cam_live) return;
+      add_pose(found, reference, &record->evidence);
+      const TrackingState state = frame_status(record->evidence, params.status).state;
+      if (state == TrackingState::kLost) return;
+      assign_status({state, {}}, &*record);
+      record->covariance = reported_covariance(found, reference);
+      place_replayed(std::move(*record), segment, reference, found.T_cur_ref, params.step, frames);
+    }
     later = std::exchange(last, found.T_cur_ref);
-    place_replayed(std::move(*record), segment, reference, found.T_cur_ref, params.step, frames);
   }
 }
 

@@ -49,6 +49,8 @@ enum class ReasonKind : uint8_t {
   kMapInMaking,
   /// Part of the view may be fixed to the camera: the map waits.
   kMayBeEgoPart,
+  /// Most of the view stands still.
+  kStands,
 
   // ---- the image does not support the pose ----
   /// The pose is not finite.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Frames that came before it was known what in view is fixed to the camera. Their views make no map, since
-// the part would be in it; the map that is made later, without the part, gives them poses backwards.
+// Frames that came before a map could be made: while a camera stands, or before it was known what in view is
+// fixed to it (their views make no map, since the part would be in it). The map that is made later gives them
+// poses backwards.
 #include <deque>
 #include <memory>
 
@@ -22,16 +23,18 @@ class BackwardReplay {
   /// The mask has changed: the frames so far will not be in the views of a map.
   void mask_changed() { is_needed_ = !frames_.empty(); }
   /// The map of a segment is there: gives the frames before its first view their poses, from the latest to
-  /// the first that the map does not explain, and forgets all. Nothing happens if no mask has changed
-  /// meanwhile. Cost: one alignment a frame.
+  /// the first that the map does not explain, and forgets all. Nothing happens if the camera did not stand
+  /// and no mask has changed. Cost: one alignment a frame, one for all in which the camera stood.
   void place(const BootstrapResult& views, const Reference& reference, int segment,
              const TrackingParams& params, FrameLog* frames);
   /// Forgets the frames.
   void clear();
 
  private:
+  // Frames that share a pose, from the first to the last; the last one's edges.
   struct Early {
-    int frame_index;
+    int first, last;
+    bool stands;
     std::shared_ptr<const FramePyramid> pyramid;
   };
   std::deque<Early> frames_;
