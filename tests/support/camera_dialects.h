@@ -294,6 +294,15 @@ pose_quaternion = [0.12 0 0 1 0 0 0]
   </camera>
 </root>
 )";
+  const std::string visp_tracker = R"(<?xml version="1.0"?>
+<conf>
+  <face><near_clipping>0.1</near_clipping></face>
+  <camera>
+    <width>640</width><height>480</height>
+    <u0>320</u0><v0>240</v0><px>500</px><py>501</py>
+  </camera>
+</conf>
+)";
   const std::string opencv_xml = R"(<?xml version="1.0"?>
 <opencv_storage>
 <calibration_time>"Mon Jan  1 10:00:00 2024"</calibration_time>
@@ -362,6 +371,7 @@ pose_quaternion = [0.12 0 0 1 0 0 0]
       {"MrptIni", "", mrpt},
       {"MrptIniFisheyeRight", "CAMERA_PARAMS_RIGHT", mrpt_stereo},
       {"VispXml", "", visp},
+      {"VispTrackerXml", "", visp_tracker},
       {"OpencvXmlFisheye", "", opencv_xml},
       {"VinsPinhole", "",
        vins("PINHOLE",

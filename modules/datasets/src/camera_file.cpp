@@ -2,6 +2,7 @@
 #include "edgevo/datasets/camera_file.h"
 
 #include <cmath>
+#include <filesystem>
 
 #include "camera_fit.h"
 #include "camera_forms.h"
@@ -55,7 +56,21 @@ NamedCameras cameras_of_text(const std::string& text, const std::string& where) 
   return {{"camera", [=] { return camera_of_yaml_documents(documents, where); }}};
 }
 
-NamedCameras cameras_of_file(const std::string& path) {
+// A folder is one of COLMAP: the reconstruction, or what it lies in.
+std::string file_in(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return path;
+  for (const char* below : {"", "0", "sparse/0", "sparse"})
+    for (const char* name : {"cameras.txt", "cameras.bin", "database.db"})
+      if (const fs::path file = fs::path(path) / below / name; fs::is_regular_file(file, error))
+        return file.string();
+  throw InputError(path, "is a folder without COLMAP's cameras.txt, cameras.bin or database.db",
+                   "give the camera file itself");
+}
+
+NamedCameras cameras_of_file(const std::string& path_or_folder) {
+  const std::string path = file_in(path_or_folder);
   if (is_sqlite_file(path)) return colmap_database_cameras(path);
   return cameras_of_text(read_text_file(path), path);
 }
@@ -95,8 +110,9 @@ Camera read_camera_file(const std::string& path, const std::string& sensor) {
 }
 
 std::optional<CameraMount> read_camera_mount(const std::string& path) {
-  if (is_sqlite_file(path)) return std::nullopt;
-  const std::string text = read_text_file(path);
+  const std::string file = file_in(path);
+  if (is_sqlite_file(file)) return std::nullopt;
+  const std::string text = read_text_file(file);
   return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_mount(text, path) : std::nullopt;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -75,6 +76,30 @@ bool ends_within_a_packet(const std::string& path) {
 // FFmpeg opens an image as a video of one frame; a stream of JPEG images is a video.
 bool is_single_image(const std::string& path) {
   return cv::haveImageReader(path) && read_video_stamps(path).seconds.size() <= 1;
+}
+
+// An MP4 lists its frames in a box that is written last; the boxes before it begin with their length, in four
+// bytes or, after 1, in eight, and their name.
+bool is_cut_mp4(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const auto number = [&](int bytes) {
+    uint64_t value = 0;
+    for (int i = 0; i < bytes; ++i) value = value << 8 | uint64_t(uint8_t(file.get()));
+    return value;
+  };
+  std::error_code unreadable;
+  const uint64_t size = std::filesystem::file_size(path, unreadable);
+  for (uint64_t at = 0; !unreadable && at + 8 <= size && file.seekg(std::streamoff(at));) {
+    uint64_t length = number(4);
+    char name[5] = {};
+    file.read(name, 4);
+    const std::string box = name;
+    if (box == "moov" || (at == 0 && box != "ftyp")) return false;
+    if (length == 1) length = number(8);
+    if (length < 8 || length > size - at) return true;
+    at += length;
+  }
+  return size >= 8 && !unreadable;
 }
 
 // The rate between two frames, without the fastest and the slowest hundredth of them.
@@ -280,6 +305,9 @@ std::unique_ptr<ImageSource> open_video(const SourceOptions& options) {
   const QuietOpenCv quiet;
   if (is_single_image(options.path))
     throw InputError(options.path, "is a single image", "give the folder of the images, or a video");
+  if (is_cut_mp4(options.path))
+    throw InputError(options.path, "is an MP4 without its end ('moov'): the recording was cut off",
+                     "restore it with the program that made it; MKV and TS survive a cut");
   cv::VideoCapture capture;
   try {
     capture.open(options.path, cv::CAP_FFMPEG);

@@ -85,6 +85,7 @@ std::map<std::string, Camera> expected_cameras() {
       {"MrptIni", radtan_k3},
       {"MrptIniFisheyeRight", kb},
       {"VispXml", camera_of(PlumbBobModel{narrow, {0.1, 0, 0, 0, 0}})},
+      {"VispTrackerXml", pinhole},
       {"OpencvXmlFisheye", kb},
       {"VinsPinhole", radtan},
       {"VinsMei", omni},
@@ -145,6 +146,31 @@ TEST(CameraDialects, ColmapDatabase) {
 }
 
 // Opening a pipe would wait for somebody who writes into it.
+TEST(CameraDialects, AFolderOfColmapIsReadAnyOtherRefused) {
+  const TempFolder folder;
+  std::filesystem::create_directories(folder / "model/sparse/0");
+  EXPECT_THAT(error_of([&] { read_camera_file(folder / "model"); }),
+              HasSubstr("model: is a folder without COLMAP's cameras.txt"));
+  test::write_text(folder / "model/sparse/0/cameras.txt", "1 PINHOLE 640 480 500 501 320 240\n");
+  for (const char* path : {"model", "model/sparse", "model/sparse/0"})
+    EXPECT_EQ(read_camera_file(folder / path).width, 640) << path;
+}
+
+TEST(CameraDialects, VispsJsonHasNoSize) {
+  const std::string with =
+      R"({"model":"perspectiveWithDistortion","px":500,"py":501,"u0":320,"v0":240,"kud":0.1,"kdu":-0.09})";
+  const CameraText text = parse_camera_text(with, "visp.json", "");
+  EXPECT_FALSE(text.has_size());
+  const auto* lens = std::get_if<PlumbBobModel>(&text.camera.model);
+  ASSERT_TRUE(lens);
+  EXPECT_EQ(lens->fy, 501);
+  EXPECT_THAT(
+      error_of([] { parse_camera_text(R"({"model":"fisheye","px":1,"py":1,"u0":1,"v0":1})", "a", ""); }),
+      HasSubstr("ViSP's 'fisheye' is not supported"));
+  EXPECT_THAT(error_of([] { parse_camera_text(R"({"u0":1,"px":)", "a", ""); }),
+              HasSubstr("is not complete JSON"));
+}
+
 TEST(CameraDialects, APipeIsRefused) {
   test::TempFolder folder;
   const std::string pipe = folder / "pipe";

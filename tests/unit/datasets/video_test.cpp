@@ -60,6 +60,16 @@ TEST_F(Video, GivesItsFramesAtItsRate) {
   EXPECT_EQ(thinned[2].time.ticks, 5000000);
 }
 
+TEST_F(Video, AnMp4WithoutItsEndIsSaidToBeOne) {
+  options_.path = folder_ / "cut.mp4";
+  const auto box = [](const char* name, uint8_t length) {
+    return std::string("\0\0\0", 3) + char(length) + name;
+  };
+  test::write_text(options_.path, box("ftyp", 16) + "isom0000" + box("mdat", 200) + "0123456789");
+  EXPECT_THAT(test::error_of([&] { open_source(options_); }),
+              ::testing::HasSubstr("is an MP4 without its end"));
+}
+
 TEST_F(Video, ATruncatedFileIsReported) {
   write_video(options_.path, 40);
   const std::string bytes = test::read_text(options_.path);

@@ -20,6 +20,7 @@ std::string listed(const NamedCameras& cameras) {
 
 const Dialect* dialect_of(const std::string& text) {
   static const Dialect all[] = {{is_colmap_binary, colmap_binary_cameras},
+                                {is_visp_json, visp_json_cameras},
                                 {is_basalt, basalt_cameras},
                                 {is_xml, xml_cameras},
                                 {is_mrpt_ini, mrpt_ini_cameras},

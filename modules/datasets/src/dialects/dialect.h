@@ -50,6 +50,8 @@ bool begins_with(const std::string& text, const char* start);
 // One file each; the comment at its head says what the format is.
 NamedCameras basalt_cameras(const std::string& text, const std::string& where);
 bool is_basalt(const std::string& text);
+NamedCameras visp_json_cameras(const std::string& text, const std::string& where);
+bool is_visp_json(const std::string& text);
 NamedCameras colmap_text_cameras(const std::string& text, const std::string& where);
 bool is_colmap_text(const std::string& text);
 NamedCameras colmap_binary_cameras(const std::string& text, const std::string& where);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Calibrations in XML. ViSP: <camera> with a name, image_width, image_height and a <model> for each kind of
-// projection, of which the one with distortion is taken: u = u0 + px x (1 + kud r^2). OpenCV:
-// <opencv_storage> with the keys of its YAML, read as those are.
+// projection, of which the one with distortion is taken: u = u0 + px x (1 + kud r^2); its model-based
+// trackers write px, py, u0, v0, width and height into <camera> itself. OpenCV: <opencv_storage> with the
+// keys of its YAML, read as those are.
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 
@@ -86,7 +87,7 @@ StatedLens visp_lens(const Element& camera) {
     const Element model{child, camera.where};
     models.emplace(model.text("type"), model);
   }
-  if (models.empty()) throw InputError(camera.where, "the camera has no <model>", "restore the file");
+  if (models.empty()) models.emplace(kWithout, camera);  // as in the files of ViSP's trackers
   const auto with = models.find(kWith), without = models.find(kWithout);
   const auto chosen = with != models.end() ? with : without;
   if (chosen == models.end())
@@ -101,10 +102,12 @@ StatedLens visp_lens(const Element& camera) {
 }
 
 CameraText visp_camera(const Element& camera) {
-  const auto side = [&](const char* name) {
-    return camera.find(name) ? image_side(camera.number(name), camera.where) : 0;
+  const auto side = [&](const char* name, const char* of_tracker) {
+    const char* const key = camera.find(name) ? name : of_tracker;
+    return camera.find(key) ? image_side(camera.number(key), camera.where) : 0;
   };
-  return camera_of_lens(visp_lens(camera), side("image_width"), side("image_height"), camera.where);
+  return camera_of_lens(visp_lens(camera), side("image_width", "width"), side("image_height", "height"),
+                        camera.where);
 }
 
 NamedCameras visp_cameras(const std::shared_ptr<xmlDoc>& document, const std::string& where) {
