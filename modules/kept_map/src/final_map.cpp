@@ -64,18 +64,9 @@ FinalPlaces write_keyframes(Database* grown, bool is_final, const Run& run, Data
   return places;
 }
 
-// A covariance whose lengths have grown.
-Matrix7d grown_covariance(Matrix7d covariance, double growth) {
-  covariance.topRows<3>() *= growth;
-  covariance.leftCols<3>() *= growth;
-  return covariance;
-}
-
 // The constraint in the unit of the run.
-Constraint in_final_unit(Constraint c, const FinalPlace& from, const FinalPlace& to) {
-  c.T_from_to.scale *= from.growth / to.growth;
-  c.T_from_to.rigid = SE3(c.T_from_to.rigid.rotation(), from.growth * c.T_from_to.rigid.translation());
-  c.covariance = grown_covariance(c.covariance, from.growth);
+Constraint in_final_unit(const Constraint& grown, const FinalPlace& from, const FinalPlace& to) {
+  Constraint c = in_new_units(grown, from.growth, to.growth);
   if (c.kind == ConstraintKind::kNeighbour) c.T_from_to = {1, from.T_world_cam.inverse() * to.T_world_cam};
   return c;
 }
@@ -139,15 +130,12 @@ NeighbourPose neighbour_of(const Constraint& motion) {
 void write_final_map(Database* grown, const Run& run, const std::string& path) {
   const std::optional<MapTexts> texts = read_texts(grown);
   if (!texts) throw DatabaseError("its description is damaged");
-  Database target(path, Database::Access::kCreate);
-  target.set_log("MEMORY");
-  target.execute("PRAGMA page_size=4096; PRAGMA synchronous=FULL; BEGIN");
-  make_tables(&target);
-  write_texts(&target, finished_texts(*texts, {run.scale_source, run.scale.sigma, run.camera.correction}));
   const bool is_final = texts->count("finished") > 0 && texts->at("finished") == "1";
-  const FinalPlaces places = write_keyframes(grown, is_final, run, &target);
-  write_constraints(grown, run, places, &target);
-  target.execute("COMMIT");
+  write_whole_map(path, [&](Database* target) {
+    write_texts(target, finished_texts(*texts, {run.scale_source, run.scale.sigma, run.camera.correction}));
+    const FinalPlaces places = write_keyframes(grown, is_final, run, target);
+    write_constraints(grown, run, places, target);
+  });
 }
 
 }  // namespace edgevo

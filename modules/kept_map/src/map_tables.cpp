@@ -39,6 +39,22 @@ void make_tables(Database* database) {
       "CREATE TABLE constraints(number INTEGER PRIMARY KEY, data BLOB NOT NULL)");
 }
 
+void write_whole_map(const std::string& path, const std::function<void(Database*)>& fill) {
+  Database target(path, Database::Access::kCreate);
+  target.set_log("MEMORY");
+  target.execute("PRAGMA page_size=4096; PRAGMA synchronous=FULL; BEGIN");
+  make_tables(&target);
+  fill(&target);
+  target.execute("COMMIT");
+}
+
+Constraint in_new_units(Constraint c, double growth_from, double growth_to) {
+  c.T_from_to.scale *= growth_from / growth_to;
+  c.T_from_to.rigid = SE3(c.T_from_to.rigid.rotation(), growth_from * c.T_from_to.rigid.translation());
+  c.covariance.topRows<3>() *= growth_from, c.covariance.leftCols<3>() *= growth_from;
+  return c;
+}
+
 void write_texts(Database* database, const MapTexts& texts) {
   Statement put = database->statement("INSERT OR REPLACE INTO meta(name, text) VALUES(?, ?)");
   for (const auto& [name, text] : texts) put.bind_text(1, name).bind_text(2, text).execute();

@@ -4,6 +4,7 @@
 //
 // keyframes: a row each, its place and its view as in keyframe_bytes.h. constraints: a row each. meta: texts
 // by name, with a checksum of them all.
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@ using MapTexts = std::map<std::string, std::string>;
 
 /// Makes the tables in a new database.
 void make_tables(Database* database);
+/// Writes a whole file at once: `fill` gets it with its tables. Throws DatabaseError.
+void write_whole_map(const std::string& path, const std::function<void(Database*)>& fill);
 /// Replaces the texts, in a transaction of the caller.
 void write_texts(Database* database, const MapTexts& texts);
 /// The texts; nothing if they are damaged. Throws DatabaseError.
@@ -43,6 +46,8 @@ class KeyframeRows {
 std::string bytes_of(const Constraint& constraint);
 /// The constraint back, without what else may hold; nothing if the bytes are damaged.
 std::optional<Constraint> read_constraint(std::string_view bytes);
+/// The constraint where the lengths around its two keyframes have become this many times as long.
+Constraint in_new_units(Constraint c, double growth_from, double growth_to);
 /// Appends or replaces rows of constraints.
 class ConstraintRows {
  public:

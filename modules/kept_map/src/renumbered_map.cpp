@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "edgevo/map/map_event.h"
+#include "map_tables.h"
 
 namespace edgevo {
 namespace {
@@ -50,10 +51,7 @@ Constraint renumbered(Constraint c, const Numbers& of_from, const Numbers& of_to
 bool in_unit_of(const std::map<int, Sim3>& T_of_keyframe, Constraint* c) {
   const auto from = T_of_keyframe.find(c->from.number()), to = T_of_keyframe.find(c->to.number());
   if (from == T_of_keyframe.end() || to == T_of_keyframe.end()) return false;
-  const double ratio = from->second.scale;
-  c->T_from_to.scale *= ratio / to->second.scale;
-  c->T_from_to.rigid = SE3(c->T_from_to.rigid.rotation(), ratio * c->T_from_to.rigid.translation());
-  c->covariance.topRows<3>() *= ratio, c->covariance.leftCols<3>() *= ratio;
+  *c = in_new_units(*c, from->second.scale, to->second.scale);
   return true;
 }
 

@@ -19,15 +19,10 @@ void write_rows(const KeptMap& map, Database* target) {
   for (size_t i = 0; i < map.constraints.size(); ++i) constraints.put(int64_t(i), map.constraints[i]);
 }
 
-void write_new_file(const KeptMap& map, const std::string& path) {
-  Database target(path, Database::Access::kCreate);
-  target.set_log("MEMORY");
-  target.execute("PRAGMA page_size=4096; PRAGMA synchronous=FULL; BEGIN");
-  make_tables(&target);
-  write_texts(&target,
+void fill_with(const KeptMap& map, Database* target) {
+  write_texts(target,
               finished_texts(texts_of(map.header), {map.scale_source, map.scale_sigma, map.correction}));
-  write_rows(map, &target);
-  target.execute("COMMIT");
+  write_rows(map, target);
 }
 
 }  // namespace
@@ -35,7 +30,8 @@ void write_new_file(const KeptMap& map, const std::string& path) {
 void write_map(const KeptMap& map, const std::string& path) {
   const std::string made = name_while_made(path);
   remove_map_files(made);
-  attempt_writing(path, "free space; what was there is kept", [&] { write_new_file(map, made); });
+  attempt_writing(path, "free space; what was there is kept",
+                  [&] { write_whole_map(made, [&](Database* target) { fill_with(map, target); }); });
   take_its_name(path);
 }
 
