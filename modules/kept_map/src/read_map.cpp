@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/formatted.h"
 #include "edgevo/core/input_file.h"
 #include "edgevo/kept_map/kept_map.h"
 #include "edgevo/kept_map/map_file_writer.h"
@@ -283,9 +284,12 @@ void check_camera(const KeptMap& map, const Pinhole& pinhole, const std::string&
                        std::abs(of_map.fx - pinhole.fx) < limit && std::abs(of_map.fy - pinhole.fy) < limit &&
                        std::abs(of_map.cx - pinhole.cx) < limit && std::abs(of_map.cy - pinhole.cy) < limit;
   if (is_same) return;
+  const auto said = [](const Pinhole& p) {
+    return formatted("%dx%d, focal length %.0f px", p.width, p.height, p.fx);
+  };
   throw InputError(
-      path, "was made by another camera (rectified: " + to_text(of_map) + ", now " + to_text(pinhole) + ")",
-      "give a map of this camera, or the same --camera and --rectified-size");
+      path, "was made by another camera (rectified " + said(of_map) + "; the source: " + said(pinhole) + ")",
+      "give a map of this camera, or the same --camera and --image-scale");
 }
 
 }  // namespace edgevo

@@ -30,7 +30,7 @@ void fill_with(const KeptMap& map, Database* target) {
 void write_map(const KeptMap& map, const std::string& path) {
   const std::string made = name_while_made(path);
   remove_map_files(made);
-  attempt_writing(path, "free space; what was there is kept",
+  attempt_writing(path, "check its folder and the space; what was there is kept",
                   [&] { write_whole_map(made, [&](Database* target) { fill_with(map, target); }); });
   take_its_name(path);
 }
