@@ -46,11 +46,11 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
           "EuRoC, Symphony Lake), folder of images, "
           "video, or camera:N")
       ->required();
-  CLI::Option* camera =
-      command.add_option("--camera", options->camera_file,
-                         "calibration: `fx fy cx cy k1 k2 p1 p2 width height [k3]`, or a file of ROS, "
-                         "OpenCV, Kalibr, ORB-SLAM, Basalt, COLMAP, DSO, MRPT, ViSP; `run` also takes auto: "
-                         "found from the motion");
+  CLI::Option* camera = command.add_option(
+      "--camera", options->camera_file,
+      "calibration: `fx fy cx cy k1 k2 p1 p2 width height [k3]`, or a file of ROS, "
+      "OpenCV, Kalibr, ORB-SLAM, Basalt, COLMAP (or its folder), DSO, MRPT, ViSP; `run` also takes auto: "
+      "found from the motion");
   command
       .add_option("--camera-scale", options->camera_scale,
                   "size of the images over that of the calibration, if they were scaled (default: from both)")

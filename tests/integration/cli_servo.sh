@@ -45,7 +45,9 @@ check "stopped in the darkness" "$(value again stops)" -ge 2
 below "the start is elsewhere, mm" 200 "$(value again start_mm)"
 [ "$(cat dark/map.db dark/goal.txt | cksum)" = "$kept" ] && ok "the map is as it was" || fail "the map changed"
 [ ! -e again/goal.txt ] && ok "no goal that was not taught" || fail "goal.txt of a loop without teaching"
-complains "goal.txt: does not exist" "$edgevo" servo -o refused --map "$scenes"
+complains "goal.txt: cannot be opened" "$edgevo" servo -o refused --map "$scenes"
+mkdir untaught && echo "# nothing" >untaught/goal.txt
+complains "goal.txt: holds no taught pose" "$edgevo" servo -o refused --map untaught
 complains "omit --law or --map" "$edgevo" servo -o refused --map dark --law ibvs
 complains "another -o" "$edgevo" servo -o dark --map dark
 complains "give --map" "$edgevo" servo -o refused --blackout 5 --carried

@@ -54,10 +54,10 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kMapInMaking:
       return "a map is being made";
     case ReasonKind::kMayBeEgoPart:
-      return "what moves may not be the scene, most of the view stands, or a part is fixed to the camera: "
+      return "what moves may not be the scene, the camera seems to stand, or a part is fixed to it: "
              "the map waits";
     case ReasonKind::kStands:
-      return "most of the view stands still: move the camera, or mask what is fixed to it (--mask)";
+      return "the camera seems to stand: move it, or mask what is fixed to it (--mask)";
     case ReasonKind::kDiverged:
       return "alignment diverged";
     case ReasonKind::kFewPointsInView:

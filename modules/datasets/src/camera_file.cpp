@@ -56,13 +56,14 @@ NamedCameras cameras_of_text(const std::string& text, const std::string& where) 
   return {{"camera", [=] { return camera_of_yaml_documents(documents, where); }}};
 }
 
-// A folder is one of COLMAP: the reconstruction, or what it lies in.
+// A folder is one of COLMAP: the reconstruction, or what it lies in. The database has its initial guess
+// alone.
 std::string file_in(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
   if (!fs::is_directory(path, error)) return path;
-  for (const char* below : {"", "0", "sparse/0", "sparse"})
-    for (const char* name : {"cameras.txt", "cameras.bin", "database.db"})
+  for (const char* name : {"cameras.txt", "cameras.bin", "database.db"})
+    for (const char* below : {"", "0", "sparse/0", "sparse"})
       if (const fs::path file = fs::path(path) / below / name; fs::is_regular_file(file, error))
         return file.string();
   throw InputError(path, "is a folder without COLMAP's cameras.txt, cameras.bin or database.db",
@@ -113,7 +114,7 @@ std::optional<CameraMount> read_camera_mount(const std::string& path) {
   const std::string file = file_in(path);
   if (is_sqlite_file(file)) return std::nullopt;
   const std::string text = read_text_file(file);
-  return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_mount(text, path) : std::nullopt;
+  return !dialect_of(text) && is_yaml(text, file) ? parse_yaml_mount(text, file) : std::nullopt;
 }
 
 }  // namespace edgevo

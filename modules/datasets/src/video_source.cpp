@@ -78,8 +78,13 @@ bool is_single_image(const std::string& path) {
   return cv::haveImageReader(path) && read_video_stamps(path).seconds.size() <= 1;
 }
 
-// An MP4 lists its frames in a box that is written last; the boxes before it begin with their length, in four
-// bytes or, after 1, in eight, and their name.
+// Of a file with the boxes of an MP4 that holds a photo.
+bool is_image_brand(const std::string& brand) {
+  return brand == "heic" || brand == "heix" || brand == "mif1" || brand == "avif";
+}
+
+// An MP4 lists its frames in a box that is mostly written last. Boxes begin with their length, in four bytes
+// or, where these are 1, in eight after their name.
 bool is_cut_mp4(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const auto number = [&](int bytes) {
@@ -87,19 +92,25 @@ bool is_cut_mp4(const std::string& path) {
     for (int i = 0; i < bytes; ++i) value = value << 8 | uint64_t(uint8_t(file.get()));
     return value;
   };
+  const auto word = [&] {
+    char text[5] = {};
+    file.read(text, 4);
+    return std::string(text);
+  };
   std::error_code unreadable;
   const uint64_t size = std::filesystem::file_size(path, unreadable);
-  for (uint64_t at = 0; !unreadable && at + 8 <= size && file.seekg(std::streamoff(at));) {
+  if (!file || unreadable) return false;
+  for (uint64_t at = 0; at + 8 <= size && file.seekg(std::streamoff(at));) {
     uint64_t length = number(4);
-    char name[5] = {};
-    file.read(name, 4);
-    const std::string box = name;
-    if (box == "moov" || (at == 0 && box != "ftyp")) return false;
+    const std::string box = word();
+    if (at == 0 && box != "ftyp") return false;
+    if (at == 0 && is_image_brand(word())) return false;
     if (length == 1) length = number(8);
     if (length < 8 || length > size - at) return true;
+    if (box == "moov") return false;
     at += length;
   }
-  return size >= 8 && !unreadable;
+  return true;
 }
 
 // The rate between two frames, without the fastest and the slowest hundredth of them.

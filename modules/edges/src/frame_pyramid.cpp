@@ -172,16 +172,22 @@ struct PyramidBuilder::Impl {
                   const Plane<uint8_t>& likely, ViewObserver* observer, PyramidLevel* level) {
     Gradient gradient = level->with_gray([](const auto& gray) { return compute_gradient(gray); });
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
-    if (!border.empty()) clear_masked(border, l, &mask);
-    if (!lens->missing.empty()) clear_masked(lens->missing, l, &mask);
+    Plane<uint8_t> shown;  // where it is the image's own
+    for (const Plane<uint8_t>* area : {&border, &lens->missing}) {
+      if (area->empty()) continue;
+      clear_masked(*area, l, &mask);
+      if (!observer) continue;
+      if (shown.empty()) shown = Plane<uint8_t>(mask.width(), mask.height()), as_mat(shown).setTo(255);
+      clear_masked(*area, l, &shown);
+    }
     if (!own.empty()) {
       // Also behind the mask: it is taken back if its edges move after all.
       if (observer)
-        observer->add_edges(extract_edges(mask, gradient, params.min_chain), gradient, l, correction);
+        observer->add_edges(extract_edges(mask, gradient, params.min_chain), gradient, shown, l, correction);
       clear_masked(own, l, &mask);
     }
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    if (observer && own.empty()) observer->add_edges(level->edges, gradient, l, correction);
+    if (observer && own.empty()) observer->add_edges(level->edges, gradient, shown, l, correction);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }

@@ -285,7 +285,8 @@ void check_camera(const KeptMap& map, const Pinhole& pinhole, const std::string&
                        std::abs(of_map.cx - pinhole.cx) < limit && std::abs(of_map.cy - pinhole.cy) < limit;
   if (is_same) return;
   const auto said = [](const Pinhole& p) {
-    return formatted("%dx%d, focal length %.0f px", p.width, p.height, p.fx);
+    return formatted("%dx%d, focal length %.0f %.0f, centre %.0f %.0f px", p.width, p.height, p.fx, p.fy,
+                     p.cx, p.cy);
   };
   throw InputError(
       path, "was made by another camera (rectified " + said(of_map) + "; the source: " + said(pinhole) + ")",

@@ -156,12 +156,12 @@ bool CellLabels::update_area() {
   return true;
 }
 
-bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
+bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown) {
   if (!kept_) prepare(edges.width, edges.height);
   if (recent_->all().empty()) {
-    recent_->renew(edges, gradient, takes_part_);
-    kept_->renew(edges, gradient, takes_part_);
-    next_->renew(edges, gradient, takes_part_);
+    recent_->renew(edges, gradient, shown, takes_part_);
+    kept_->renew(edges, gradient, shown, takes_part_);
+    next_->renew(edges, gradient, shown, takes_part_);
     return false;
   }
   recent_->look(gradient);
@@ -171,10 +171,10 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient) {
   motion_of_kept_.vote(*kept_, voters());
   weigh(kept_->chances(motion_of_kept_.moves()));
   label();
-  recent_->renew(edges, gradient, takes_part_);
+  recent_->renew(edges, gradient, shown, takes_part_);
   if (++age_ % kOld == 0) {
     std::swap(kept_, next_);
-    next_->renew(edges, gradient, takes_part_);
+    next_->renew(edges, gradient, shown, takes_part_);
   }
   return update_area();
 }

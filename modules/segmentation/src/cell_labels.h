@@ -30,9 +30,10 @@ class CellLabels {
   /// Cells that touch this area, 255 there, of the level's size, take no part: what is masked by hand is
   /// evidence of nothing. To be called before add().
   void exclude(const Plane<uint8_t>& area);
-  /// Adds the next image: its gradient and its edges, none of them masked; all images have the same size.
+  /// Adds the next image: its gradient and its edges, none of them masked, and where it shows anything of its
+  /// own (ViewObserver::add_edges); all images have the same size.
   /// Returns true if the area has changed. Cost: 0.3 ms for 8000 edge pixels.
-  bool add(const ImageEdges& edges, const Gradient& gradient);
+  bool add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown);
   /// Area of the fixed parts: 255 on them and a few pixels around; null if there is none.
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.

@@ -70,14 +70,15 @@ void KeptEdges::look(const Gradient& gradient) {
 }
 
 // The steepest pixel of a cell; its gradient falls on both sides.
-std::optional<EdgePixel> KeptEdges::steepest_of(int cell, const Gradient& gradient) const {
+std::optional<EdgePixel> KeptEdges::steepest_of(int cell, const Gradient& gradient,
+                                                const Plane<uint8_t>& shown) const {
   const int left = cell % columns_ * cell_px_, top = cell / columns_ * cell_px_;
   float most = kClear;
   int at_x = -1, at_y = -1;
   for (int y = std::max(top, 2); y < std::min(top + cell_px_, height_ - 2); ++y) {
     const float* row = gradient.magnitude.row(y);
     for (int x = std::max(left, 2); x < std::min(left + cell_px_, width_ - 2); ++x)
-      if (row[x] > most) most = row[x], at_x = x, at_y = y;
+      if (row[x] > most && (shown.empty() || shown.at(x, y))) most = row[x], at_x = x, at_y = y;
   }
   if (at_x < 0) return std::nullopt;
   EdgePixel e;
@@ -88,7 +89,7 @@ std::optional<EdgePixel> KeptEdges::steepest_of(int cell, const Gradient& gradie
   return e;
 }
 
-void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient,
+void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
                       const std::vector<uint8_t>& takes_part) {
   edges_.clear();
   std::vector<uint8_t> has_one(takes_part.size());
@@ -100,7 +101,7 @@ void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient,
   }
   for (size_t cell = 0; cell < has_one.size(); ++cell)
     if (takes_part[cell] && !has_one[cell])
-      if (const auto e = steepest_of(int(cell), gradient))
+      if (const auto e = steepest_of(int(cell), gradient, shown))
         edges_.push_back({e->x, e->y, e->nx, e->ny, int(cell), kind(*e)});
 }
 

@@ -15,7 +15,8 @@ namespace edgevo {
 /// double.
 inline int nearest_pixel(float v) { return int(double(v) + 0.5); }
 
-/// An edge pixel of an earlier image; position and unit normal in pixels of the level.
+/// An edge pixel of an earlier image, or the steepest pixel of a cell without one; position and unit normal
+/// in pixels of the level.
 struct KeptEdge {
   float x, y, nx, ny;
   /// Number of its cell; direction and region of the view.
@@ -24,7 +25,7 @@ struct KeptEdge {
   bool seen = true;
 };
 
-/// The edges of one image, of every `step` edge pixels the first.
+/// The edges of one image, of every `step` edge pixels the first, and what is steepest in cells without one.
 class KeptEdges {
  public:
   /// For images of this size; `cell_px`: side of a cell, pixels; of `step` pixels along an edge, which say
@@ -33,9 +34,11 @@ class KeptEdges {
   /// Looks for all of them in an image. Cost: 0.1 ms for 4000.
   void look(const Gradient& gradient);
   /// Replaces them by those of another image, where `takes_part` of the cell is not 0. A cell without one
-  /// gives its steepest pixel, if that stands out of noise: the threshold of edges follows the image, so that
-  /// a textured part would leave the scene around it without a voice. Cost: 0.1 ms for 1241x376.
-  void renew(const ImageEdges& edges, const Gradient& gradient, const std::vector<uint8_t>& takes_part);
+  /// gives its steepest pixel that is `shown` (ViewObserver::add_edges), if it stands out of noise: the
+  /// threshold of edges follows the image, so that a textured part would leave the scene around it without a
+  /// voice. Cost: 0.1 ms for 1241x376.
+  void renew(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+             const std::vector<uint8_t>& takes_part);
   /// All of them.
   const std::vector<KeptEdge>& all() const { return edges_; }
   /// By kind: the share of edges seen at their place, over those in blocks of the view that move
@@ -49,7 +52,7 @@ class KeptEdges {
 
  private:
   int kind(const EdgePixel& e) const;
-  std::optional<EdgePixel> steepest_of(int cell, const Gradient& gradient) const;
+  std::optional<EdgePixel> steepest_of(int cell, const Gradient& gradient, const Plane<uint8_t>& shown) const;
 
   int width_, height_, cell_px_, columns_, rows_;
   size_t step_;

@@ -46,10 +46,10 @@ ImageMasks ViewMasks::add_image(const ImageView<uint8_t>& raw) {
 
 bool ViewMasks::wants_edges() const { return impl_->finds_ego_parts; }
 
-void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
-                          const ImageCorrection& correction) {
+void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+                          int level, const ImageCorrection& correction) {
   impl_->exclude_given(edges, level, correction);
-  if (!impl_->labels.add(edges, gradient)) return;
+  if (!impl_->labels.add(edges, gradient, shown)) return;
   if (impl_->labels.area())
     impl_->own.set_found(raw_area(*impl_->labels.area(), level, impl_->rectification, correction));
   else

@@ -6,17 +6,20 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMinInBlock = 4;         // edges that show whether a block moves
-constexpr double kMinStill = 0.7;      // share of a block's edges that keep their place
-constexpr int kMinImages = 2;          // for one, every slow camera stands
+constexpr int kMinInBlock = 4;     // edges that show whether a block moves
+constexpr double kMinStill = 0.7;  // share of a block's edges that keep their place
+constexpr double kStaysStill =
+    0.7;                           // share of the blocks, from image to image: at once, not little by little
+constexpr double kAllStill = 0.7;  // share of the blocks: what crosses has not come yet
+constexpr int kMinImages = 2;      // for one, every slow camera stands
 constexpr double kMinStanding = 0.05;  // share of the blocks that are still before a camera that stands
 constexpr int kMaxCrossing = 30;       // images in which most of the view moves that was not seen to stand
 
 }  // namespace
 
 // What crosses the view covers, little by little, what stood still all over it.
-bool ViewMotion::is_fixed_part(int still) {
-  was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
+bool ViewMotion::shows_fixed_part(int still) {
+  was_all_still_ = stands_ && (was_all_still_ || still >= kAllStill * voting_);
   const bool may_be_fixed = stands_ && !was_all_still_;
   crossed_images_ = may_be_fixed ? crossed_images_ + (2 * moving_ > voting_) : 0;
   return crossed_images_ > kMaxCrossing;
@@ -45,16 +48,16 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
     stood_blocks += stood[i];
     still_standing += stood[i] && still_[i];
   }
-  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * voting_
+  stands_ = stands_ ? still_standing >= kStaysStill * stood_blocks && still >= kMinStanding * voting_
                     : voting_ > 0 && 2 * still >= voting_;
-  if (is_fixed_part(still)) stands_ = false;
+  if (shows_fixed_part(still)) stands_ = false;
   standing_ = stands_ ? standing_ + 1 : 0;
   since_moving_ = stands_ || moving_ <= still ? since_moving_ + 1 : 0;
 }
 
 StillCells ViewMotion::still_cells() const {
   if (standing_ < kMinImages) return {0, 0, {}, since_moving_};
-  return {kColumns, kRows, still_, since_moving_};
+  return {kColumns, kRows, still_, since_moving_, was_all_still_};
 }
 
 }  // namespace edgevo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How much of the view moves, from the edges alone, by its extent: each block of the view has one vote,
-// however many edges it shows. What is known to be fixed to the camera has none.
+// How much of the view moves, from edges and the steepest pixels between them, by its extent: each block has
+// one vote, however many edges it shows. What is known to be fixed to the camera has none.
 #include <vector>
 
 #include "edgevo/segmentation/still_cells.h"
@@ -31,12 +31,13 @@ class ViewMotion {
  private:
   int voting_ = 0, moving_ = 0;
   int standing_ = 0, since_moving_ = 0;  // images
+  bool shows_fixed_part(int still);
+
   bool stands_ = false;
   std::vector<uint8_t> moves_, still_;
   // Of a camera that stands: whether nearly all was seen to stand still; if not, images in which most moved.
   bool was_all_still_ = false;
   int crossed_images_ = 0;
-  bool is_fixed_part(int still);
 };
 
 }  // namespace edgevo

@@ -42,7 +42,8 @@ KeptGoal read_kept_goal(const std::string& folder) {
   const std::string file = goal_file(folder);
   std::ifstream in(file);
   if (!in.is_open())
-    throw InputError(file, "does not exist", "give the folder of a run of `edgevo servo` that taught a pose");
+    throw InputError(file, "cannot be opened",
+                     "give the folder of a run of `edgevo servo` that taught a pose");
   std::string header;
   double scale = 0, x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 0;
   std::getline(in, header);

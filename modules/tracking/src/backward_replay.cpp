@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/tracking/backward_replay.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "edgevo/alignment/tracker.h"
@@ -13,22 +12,23 @@
 namespace edgevo {
 namespace {
 
-constexpr size_t kMaxWhileSuspected = 60;  // while a part of the view may be fixed to the camera
-constexpr size_t kMaxUsually = 16;         // a part is suspected after a few images that differ
+// Views: while a part of the view may be fixed to the camera, or once it has stood; and else, since a part is
+// suspected after a few images that differ.
+constexpr size_t kMaxWhileNeeded = 60, kMaxUsually = 16;
 
 }  // namespace
 
 void BackwardReplay::add(const ArrivedFrame& now) {
-  const bool stands = !now.still.empty();
+  const bool stands = !now.still.empty() && now.still.is_certain;
   is_needed_ |= stands;
   if (stands && !frames_.empty() && frames_.back().stands) {
-    frames_.back().last = now.frame.index;
+    frames_.back().frames.push_back(now.frame.index);
     frames_.back().pyramid = now.pyramid;
   } else {
-    frames_.push_back({now.frame.index, now.frame.index, stands, now.pyramid});
+    frames_.push_back({{now.frame.index}, stands, now.pyramid});
   }
-  const bool is_suspected = is_needed_ || now.may_show_ego_part;
-  while (frames_.size() > (is_suspected ? kMaxWhileSuspected : kMaxUsually)) frames_.pop_front();
+  const bool may_be_needed = is_needed_ || now.may_show_ego_part;
+  while (frames_.size() > (may_be_needed ? kMaxWhileNeeded : kMaxUsually)) frames_.pop_front();
 }
 
 void BackwardReplay::place(const BootstrapResult& views, const Reference& reference, int segment,
@@ -42,12 +42,13 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
   while (!early.empty()) {
     const Early view = std::move(early.back());
     early.pop_back();
-    if (view.first >= views.views.front().frame_index) continue;
+    if (view.frames.front() >= views.views.front().frame_index) continue;
     const TrackResult found =
         track(*view.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
               params.alignment);
-    for (int i = std::min(view.last, views.views.front().frame_index - 1); i >= view.first; --i) {
-      std::optional<FrameRecord> record = frames->find(i);
+    for (auto i = view.frames.rbegin(); i != view.frames.rend(); ++i) {
+      if (*i >= views.views.front().frame_index) continue;
+      std::optional<FrameRecord> record = frames->find(*i);
       if (!record || record->T_world_cam_live) return;
       add_pose(found, reference, &record->evidence);
       const TrackingState state = frame_status(record->evidence, params.status).state;

@@ -145,7 +145,6 @@ TEST(CameraDialects, ColmapDatabase) {
   EXPECT_THAT(error_of([&] { read_camera_file(path, "1"); }), HasSubstr("is no database of COLMAP"));
 }
 
-// Opening a pipe would wait for somebody who writes into it.
 TEST(CameraDialects, AFolderOfColmapIsReadAnyOtherRefused) {
   const TempFolder folder;
   std::filesystem::create_directories(folder / "model/sparse/0");
@@ -154,6 +153,8 @@ TEST(CameraDialects, AFolderOfColmapIsReadAnyOtherRefused) {
   test::write_text(folder / "model/sparse/0/cameras.txt", "1 PINHOLE 640 480 500 501 320 240\n");
   for (const char* path : {"model", "model/sparse", "model/sparse/0"})
     EXPECT_EQ(read_camera_file(folder / path).width, 640) << path;
+  test::write_colmap_database(folder / "model/database.db");
+  EXPECT_EQ(read_camera_file(folder / "model").pinhole().fx, 500) << "not the guess in the database";
 }
 
 TEST(CameraDialects, VispsJsonHasNoSize) {
@@ -169,8 +170,13 @@ TEST(CameraDialects, VispsJsonHasNoSize) {
       HasSubstr("ViSP's 'fisheye' is not supported"));
   EXPECT_THAT(error_of([] { parse_camera_text(R"({"u0":1,"px":)", "a", ""); }),
               HasSubstr("is not complete JSON"));
+  EXPECT_THAT(error_of([] { parse_camera_text(R"({"px":1,"py":1,"u0":1,"v0":1})", "a", ""); }),
+              HasSubstr("has no 'model'"));
+  const std::string deep(300000, '[');
+  EXPECT_THAT(error_of([&] { parse_camera_text("{\"u0\":" + deep, "a", ""); }), HasSubstr("JSON"));
 }
 
+// Opening a pipe would wait for somebody who writes into it.
 TEST(CameraDialects, APipeIsRefused) {
   test::TempFolder folder;
   const std::string pipe = folder / "pipe";

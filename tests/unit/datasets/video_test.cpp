@@ -62,12 +62,26 @@ TEST_F(Video, GivesItsFramesAtItsRate) {
 
 TEST_F(Video, AnMp4WithoutItsEndIsSaidToBeOne) {
   options_.path = folder_ / "cut.mp4";
-  const auto box = [](const char* name, uint8_t length) {
-    return std::string("\0\0\0", 3) + char(length) + name;
+  const auto box = [](const std::string& name, size_t length, const std::string& content) {
+    return std::string("\0\0\0", 3) + char(length) + name + content;
   };
-  test::write_text(options_.path, box("ftyp", 16) + "isom0000" + box("mdat", 200) + "0123456789");
-  EXPECT_THAT(test::error_of([&] { open_source(options_); }),
-              ::testing::HasSubstr("is an MP4 without its end"));
+  const auto is_said = [&](const std::string& bytes) {
+    test::write_text(options_.path, bytes);
+    const std::string said = test::error_of([&] { open_source(options_); });
+    EXPECT_NE(said, "");
+    return said.find("is an MP4 without its end") != std::string::npos;
+  };
+  const std::string type = box("ftyp", 16, "isom0000"), frames = box("mdat", 12, "0123"),
+                    index = box("moov", 12, "0123"),
+                    long_frames = box("mdat", 1, std::string("\0\0\0\0\0\0\0\x14", 8) + "0123");
+  EXPECT_TRUE(is_said(type + box("mdat", 200, "0123456789")));
+  EXPECT_TRUE(is_said(type + frames));
+  EXPECT_TRUE(is_said(type + frames + box("moov", 200, "0123")));
+  EXPECT_FALSE(is_said(type + frames + index)) << "damaged in another way";
+  EXPECT_FALSE(is_said(type + index + box("mdat", 200, "0123")));
+  EXPECT_FALSE(is_said(type + box("free", 12, "0123") + long_frames + index));
+  EXPECT_FALSE(is_said(box("ftyp", 16, "heic0000") + frames)) << "a photo";
+  EXPECT_FALSE(is_said(box("RIFF", 12, "0123")));
 }
 
 TEST_F(Video, ATruncatedFileIsReported) {

@@ -32,22 +32,31 @@ TEST(AStop, BeforeTrafficKeepsThePose) {
 
 // A camera that stands, while a body crosses that hides three fifths of its view, and then moves.
 TEST(AStart, BeforeTrafficHasOnePoseForAllFramesInWhichItStood) {
-  constexpr int kStanding = 40, kMoving = 30;
+  constexpr int kStanding = 40, kMoving = 30, kBlank = 10;
   Odometry odometry(test::sweep_camera(), {}, {});
   for (int k = 0; k < kStanding + kMoving; ++k) {
     Frame frame = test::sweep_frame(std::max(k - kStanding, 0));
-    frame.index = k;
+    frame.index = 2 * k;  // every second frame of a source
     frame.time = Timestamp::from_seconds(0.05 * k);
-    if (k > 2 && k < kStanding) test::paste_body({-215.0 + 17 * (k - 3), 25, 215}, &frame.image);
+    if (k == kBlank) std::fill(frame.image.pixels.begin(), frame.image.pixels.end(), uint8_t(0));
+    if (k > 2 && k < kStanding && k != kBlank)
+      test::paste_body({-215.0 + 17 * (k - 3), 25, 215}, &frame.image);
     const FrameRecord record = odometry.process(frame);
     EXPECT_FALSE(k < kStanding && record.T_world_cam_live) << "no map of the body, " << k;
   }
   const auto run = odometry.finish();
   int stood = 0;
   for (int k = 0; k < kStanding; ++k) {
-    ASSERT_TRUE(run.frames[size_t(k)].T_world_cam) << k;
-    stood += run.frames[size_t(k)].evidence.stands;
+    const FrameRecord &frame = run.frames[size_t(k)], &middle = run.frames[kStanding / 2];
+    if (k == kBlank) continue;
+    ASSERT_TRUE(frame.T_world_cam) << k;
+    stood += frame.evidence.stands;
+    if (frame.evidence.stands && middle.evidence.stands)
+      EXPECT_NEAR((frame.T_world_cam->translation() - middle.T_world_cam->translation()).norm(), 0, 1e-9)
+          << k;
   }
+  EXPECT_FALSE(run.frames[kBlank].T_world_cam) << "nothing was seen";
+  EXPECT_NE(run.frames[kBlank].note, "");
   EXPECT_GE(stood, kStanding - 3);
   const auto e = test::trajectory_error(run, 0, kStanding + kMoving,
                                         [](int k) { return test::sweep_pose(std::max(k - kStanding, 0)); });

@@ -7,6 +7,7 @@
 #include "dialect.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/suggestion.h"
+#include "shallow_json.h"
 #include "text_file.h"
 
 namespace edgevo {
@@ -81,9 +82,7 @@ bool is_basalt(const std::string& text) {
 }
 
 NamedCameras basalt_cameras(const std::string& text, const std::string& where) {
-  constexpr int kDeepest = 16;  // copies of deeper JSON would exhaust the stack
-  const auto is_shallow = [](int depth, Json::parse_event_t, Json&) { return depth < kDeepest; };
-  const Json file = Json::parse(text, is_shallow, false);
+  const Json file = parse_shallow_json(text);
   if (file.is_discarded()) basalt_fail(where, "is not complete JSON");
   const Json value = file.value("value0", Json());
   const Json intrinsics = value.is_object() ? value.value("intrinsics", Json()) : Json();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // ViSP's cameras in JSON: px, py, u0, v0 and a model; with distortion also kud and kdu. The size is not in
 // the file.
-#include <nlohmann/json.hpp>
-
 #include "camera_numbers.h"
 #include "dialect.h"
 #include "edgevo/core/error.h"
+#include "shallow_json.h"
 #include "text_file.h"
 
 namespace edgevo {
@@ -19,7 +18,9 @@ CameraText visp_json_camera(const nlohmann::json& file, const std::string& where
     return it->get<double>();
   };
   const auto model = file.find("model");
-  const std::string name = model != file.end() && model->is_string() ? model->get<std::string>() : "";
+  if (model == file.end() || !model->is_string())
+    throw InputError(where, "has no 'model'", "restore the file");
+  const std::string name = model->get<std::string>();
   StatedLens lens{LensKind::kPinhole, {number("px"), number("py"), number("u0"), number("v0")}, {}};
   if (name == "perspectiveWithDistortion" || name == "perspectiveProjWithDistortion") {
     lens.kind = LensKind::kPlumbBob;
@@ -34,14 +35,13 @@ CameraText visp_json_camera(const nlohmann::json& file, const std::string& where
 }  // namespace
 
 bool is_visp_json(const std::string& text) {
-  const size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string::npos && text[first] == '{' && text.find("\"u0\"") != std::string::npos;
+  if (!is_basalt(text)) return false;  // no JSON at all
+  const auto file = parse_shallow_json(text);
+  return file.is_object() && file.contains("u0");
 }
 
 NamedCameras visp_json_cameras(const std::string& text, const std::string& where) {
-  const auto file = nlohmann::json::parse(text, nullptr, false);
-  if (!file.is_object()) throw InputError(where, "is not complete JSON", "restore the file");
-  return {{"camera", [file, where] { return visp_json_camera(file, where); }}};
+  return {{"camera", [file = parse_shallow_json(text), where] { return visp_json_camera(file, where); }}};
 }
 
 }  // namespace edgevo

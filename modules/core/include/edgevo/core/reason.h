@@ -49,7 +49,7 @@ enum class ReasonKind : uint8_t {
   kMapInMaking,
   /// Part of the view may be fixed to the camera: the map waits.
   kMayBeEgoPart,
-  /// Most of the view stands still.
+  /// The camera seems to stand.
   kStands,
 
   // ---- the image does not support the pose ----

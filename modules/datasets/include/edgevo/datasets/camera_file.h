@@ -10,10 +10,11 @@
 //   settings  of ORB-SLAM2 and 3 and stella_vslam; cameras of CamOdoCal (VINS, KITTI-360)
 //   ost.txt   of ROS's camera_calibration, also as .ini
 //   DSO       camera.txt, also of the TUM monoVO data set
-//   COLMAP    cameras.txt, cameras.bin, database.db
+//   COLMAP    cameras.txt, cameras.bin, database.db; the folder of a reconstruction, or the one around it
 //   Basalt    calibration.json
 //   MRPT      .ini with [CAMERA_PARAMS...]
-//   XML       of ViSP, and of OpenCV
+//   XML       of ViSP, also of its trackers, and of OpenCV
+//   JSON      of ViSP, which has no size
 //
 // Of a file with several cameras one is chosen by its name: cam1 (Kalibr, Basalt), a number (COLMAP),
 // Camera1, LEFT (ORB-SLAM), the name of the section or element (MRPT, ViSP). open_source() also takes a file

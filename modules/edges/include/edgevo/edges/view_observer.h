@@ -29,9 +29,10 @@ class ViewObserver {
   /// Whether add_edges() is wanted.
   virtual bool wants_edges() const = 0;
   /// Adds the edges of that image on the coarsest level with edges, number `level`: also those under the ego
-  /// mask, but not those under that of the border. `correction`: that of the image.
-  virtual void add_edges(const ImageEdges& edges, const Gradient& gradient, int level,
-                         const ImageCorrection& correction) = 0;
+  /// mask, but not those of its border or of rows of an older one: there `shown`, of that level's size, is 0;
+  /// empty if there is no such area. `correction`: that of the image.
+  virtual void add_edges(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+                         int level, const ImageCorrection& correction) = 0;
 };
 
 }  // namespace edgevo

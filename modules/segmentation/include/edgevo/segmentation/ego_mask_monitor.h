@@ -18,7 +18,7 @@ class EgoMaskMonitor {
   /// One line about the last change.
   const std::string& description() const { return description_; }
   /// Whether no map is to be made of a frame and one `images` before it: a part may be fixed to the camera
-  /// (ViewMasks::may_show_ego_part), or most of the view has stood still since (StillCells), and what moves
+  /// (ViewMasks::may_show_ego_part), or the camera has seemed to stand since (StillCells), and what moves
   /// crosses it. At most 30 frames are delayed for the one, and 300 for the other.
   bool delays_map(bool may_show_ego_part, const StillCells& still, int images);
 

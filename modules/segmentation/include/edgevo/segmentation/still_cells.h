@@ -7,15 +7,18 @@
 namespace edgevo {
 
 /// The part of a view that stands still while the camera seems to stand: cells over the image, known from the
-/// edges alone. Their edges have kept their place, within half a pixel of the coarsest level with edges,
+/// edges and the steepest pixels between them. They have kept their place, within half a pixel of that level,
 /// since before the camera seemed to stand.
 struct StillCells {
   /// Number of cells across and down; 0: the view moves.
   int columns = 0, rows = 0;
   /// By row: 1 for a cell that stands still.
   std::vector<uint8_t> is_still = {};
-  /// Number of images in which the camera has not been seen to move, whatever crosses the view.
+  /// Number of images in a row, up to this one, in which the camera was not seen to move, whatever crosses
+  /// the view.
   int images = 0;
+  /// Whether, since the camera seemed to stand, nearly all of the view was seen to stand still.
+  bool is_certain = false;
 
   /// Whether there are none.
   bool empty() const { return is_still.empty(); }

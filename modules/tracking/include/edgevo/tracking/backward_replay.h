@@ -5,6 +5,7 @@
 // poses backwards.
 #include <deque>
 #include <memory>
+#include <vector>
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/map/frame_log.h"
@@ -17,8 +18,8 @@ namespace edgevo {
 /// Keeps the frames of a bootstrap until there is a map; for the tracking thread.
 class BackwardReplay {
  public:
-  /// Takes the next frame without a pose. Beyond a bound, lower while nothing may be fixed to the camera, the
-  /// oldest is lost.
+  /// Takes the next frame without a pose. Beyond a bound, lower while nothing may be fixed to the camera and
+  /// it has not stood, the oldest view is lost, with all frames that share it.
   void add(const ArrivedFrame& now);
   /// The mask has changed: the frames so far will not be in the views of a map.
   void mask_changed() { is_needed_ = !frames_.empty(); }
@@ -31,9 +32,9 @@ class BackwardReplay {
   void clear();
 
  private:
-  // Frames that share a pose, from the first to the last; the last one's edges.
+  // Frames that share a pose, since the camera stands, by their indices; the edges of the last one.
   struct Early {
-    int first, last;
+    std::vector<int> frames;
     bool stands;
     std::shared_ptr<const FramePyramid> pyramid;
   };
