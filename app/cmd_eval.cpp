@@ -24,6 +24,7 @@ struct EvalArguments {
   int frames_total = 0;
   double truth_sigma_m = 0, truth_sigma_deg = 0;
   TrajectoryReading reading, truth_reading;
+  MapEvaluationRequest map;
 };
 
 using ReadTruth = std::function<Trajectory(const std::string& path)>;
@@ -72,7 +73,19 @@ int eval_folders(const EvalArguments& args, const EvaluationOptions& options, co
   return eval_runs(request);
 }
 
-int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs) {
+bool is_map(const std::string& path) { return std::filesystem::path(path).extension() == ".ply"; }
+
+int eval_lines(const EvalArguments& args, const EvalMap& eval_map) {
+  if (args.ground_truth.empty())
+    throw InputError("SCENE", "is missing", "give the rendered scene that the map was made in");
+  MapEvaluationRequest request = args.map;
+  request.map = args.trajectory, request.scene = args.ground_truth, request.json = args.json;
+  return eval_map(request);
+}
+
+int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs,
+             const EvalMap& eval_map) {
+  if (is_map(args.trajectory)) return eval_lines(args, eval_map);
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
@@ -108,18 +121,23 @@ void add_reading_options(CLI::App& cmd, const std::string& prefix, const std::st
 
 }  // namespace
 
-void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, EvalRuns eval_runs) {
+void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, EvalRuns eval_runs,
+                      EvalMap eval_map) {
   auto args = std::make_shared<EvalArguments>();
-  CLI::App* cmd =
-      app.add_subcommand("eval", "compare a trajectory with ground truth: ATE, drift, scale, completion");
+  CLI::App* cmd = app.add_subcommand(
+      "eval",
+      "compare a trajectory with ground truth: ATE, drift, scale, completion; or a map with its scene");
   cmd->add_option(
          "TRAJECTORY", args->trajectory,
          "trajectory in TUM format (8 numbers per line) or KITTI format (12); or the folder of a run, "
-         "whose single frames are then evaluated as well")
+         "whose single frames are then evaluated as well; or edges.ply: completeness and rightness of its "
+         "lines")
       ->required();
-  cmd->add_option("GROUNDTRUTH", args->ground_truth,
-                  "ground truth in TUM or KITTI format, or a data set folder; TUM may have its own rate "
-                  "(default for the folder of a run: the one that it recorded)");
+  cmd->add_option(
+      "GROUNDTRUTH", args->ground_truth,
+      "ground truth in TUM or KITTI format, or a data set folder; TUM may have its own rate "
+      "(default for the folder of a run: the one that it recorded); of edges.ply: the rendered scene, as "
+      "for `edgevo simulate`");
   cmd->add_option("RUN", args->more_runs,
                   "more folders of runs: the figures of their frames, one by one and pooled");
   cmd->add_flag("--json", args->json, "print JSON instead of a table");
@@ -137,9 +155,15 @@ void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, 
       ->check(number_between(0, 1e6));
   cmd->add_option("--truth-sigma-deg", args->truth_sigma_deg, "the same of the true orientations, degrees")
       ->check(number_between(0, 180));
+  cmd->add_option("--seed", args->map.seed, "for edges.ply: seed of the scene (default: that of the scene)");
+  cmd->add_option(
+      "--picture", args->map.picture,
+      "for edges.ply: PNG of one frame; edges in the map green, missing ones red, lines at no edge blue");
+  cmd->add_option("--picture-frame", args->map.picture_frame, "frame of the picture (default 0)")
+      ->check(whole_number(0));
   add_reading_options(*cmd, "", "TRAJECTORY", &args->reading);
   add_reading_options(*cmd, "truth-", "GROUNDTRUTH", &args->truth_reading);
-  cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source, eval_runs); }; });
+  cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source, eval_runs, eval_map); }; });
 }
 
 }  // namespace edgevo::app

@@ -7,6 +7,7 @@
 // prints it as one line, exit code 2).
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,25 @@ void add_edges_command(CLI::App& app, Action* action);
 void add_info_command(CLI::App& app, Action* action);
 /// Evaluates finished runs (benchmark/evaluated_runs.h) and prints; returns the exit code.
 using EvalRuns = std::function<int(const RunEvaluationRequest& request)>;
+/// A map to compare with the rendered scene that it was made in (map_evaluation/map_figures.h).
+struct MapEvaluationRequest {
+  /// edges.ply, and the name or YAML file of the scene.
+  std::string map, scene;
+  /// Seed of the scene, if it is not that of its file.
+  std::optional<uint64_t> seed;
+  /// Frame to draw, and the PNG to draw it into; "": none.
+  int picture_frame = 0;
+  std::string picture;
+  bool json = false;
+};
+/// Compares a map with its scene and prints; returns the exit code.
+using EvalMap = std::function<int(const MapEvaluationRequest& request)>;
+int eval_map(const MapEvaluationRequest& request);
 /// Adds `eval`; `truth_of_source` reads the ground truth of a data set if GROUNDTRUTH is not a file,
-/// `eval_runs` takes over if TRAJECTORY is a folder.
+/// `eval_runs` takes over if TRAJECTORY is a folder, `eval_map` if it is a PLY file.
 void add_eval_command(CLI::App& app, Action* action,
-                      std::function<Trajectory(const std::string& path)> truth_of_source, EvalRuns eval_runs);
+                      std::function<Trajectory(const std::string& path)> truth_of_source, EvalRuns eval_runs,
+                      EvalMap eval_map);
 void add_simulate_command(CLI::App& app, Action* action);
 void add_relight_command(CLI::App& app, Action* action);
 void add_overlay_command(CLI::App& app, Action* action);

@@ -66,7 +66,8 @@ int eval(const Words& words) {
   Action action;
   add_eval_command(
       app, &action, [&](const std::string&) -> Trajectory { become_commands(words); },
-      [&](const RunEvaluationRequest&) -> int { become_commands(words); });
+      [&](const RunEvaluationRequest&) -> int { become_commands(words); },
+      [&](const MapEvaluationRequest&) -> int { become_commands(words); });
   try {
     app.parse(std::vector<std::string>(words.rbegin(), words.rend() - 1));
   } catch (const CLI::ParseError&) {

@@ -41,11 +41,13 @@ int main(int argc, char** argv) {
   edgevo::app::add_import_command(app, &action);
   edgevo::app::add_info_command(app, &action);
   edgevo::app::add_mask_command(app, &action);
-  edgevo::app::add_eval_command(app, &action, edgevo::source_truth,
-                                [](const edgevo::RunEvaluationRequest& request) {
-                                  std::fputs(edgevo::evaluate_runs(request).c_str(), stdout);
-                                  return 0;
-                                });
+  edgevo::app::add_eval_command(
+      app, &action, edgevo::source_truth,
+      [](const edgevo::RunEvaluationRequest& request) {
+        std::fputs(edgevo::evaluate_runs(request).c_str(), stdout);
+        return 0;
+      },
+      edgevo::app::eval_map);
   edgevo::app::add_simulate_command(app, &action);
   edgevo::app::add_relight_command(app, &action);
   edgevo::app::add_overlay_command(app, &action);

@@ -59,7 +59,8 @@ std::optional<Frame> KeepingSource::next() {
   return frame;
 }
 
-EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params) {
+EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params,
+                        const BetweenFrames& between) {
   EdgeReplay replay;
   replay.run = run;
   for (KeyframeRecord& k : replay.run.keyframes) k.lines.clear();
@@ -76,8 +77,14 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
     Map map(run.pinhole, log);
     EdgeMapper mapper(run.pinhole, params.edge_map, false, log, &replay.trace);
     while (is_next() || !map.active().empty()) {
-      for (; is_next() && map.active().size() < size_t(params.mapping.window.keyframes); waiting.pop_front())
+      for (; is_next() && map.active().size() < size_t(params.mapping.window.keyframes);
+           waiting.pop_front()) {
         map.add(std::move(waiting.front()));
+        if (between)
+          between(map.active().back().id, [&](const SE3& T, std::shared_ptr<const FramePyramid> pyramid) {
+            mapper.add_view(map.active().back().id, T, *pyramid);
+          });
+      }
       map.marginalise_oldest({});
       mapper.add(map);
       map.evict_matches(mapper.keyframes_needed());

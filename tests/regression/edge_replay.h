@@ -2,6 +2,7 @@
 #pragma once
 // The edge map of a run, rebuilt from its final poses keyframe by keyframe, with a trace of each edge pixel:
 // at which stage it was rejected.
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -43,6 +44,11 @@ struct EdgeReplay {
 
 /// Rebuilds the edge map of `run`. Poses and points differ slightly from those at the time when a keyframe
 /// was marginalised.
-EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params);
+/// `between` passes the frames after a keyframe, with their motion from it.
+using BetweenFrames = std::function<void(
+    int keyframe,
+    const std::function<void(const SE3& T_view_keyframe, std::shared_ptr<const FramePyramid>)>& add)>;
+EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const OdometryParams& params,
+                        const BetweenFrames& between = {});
 
 }  // namespace edgevo::test

@@ -18,7 +18,9 @@ enum class Certain {
   /// Copied from the edge that it meets at a corner.
   kAtCorner,
   /// By a bridge that begins, ends or passes at the node.
-  kBetweenEnds
+  kBetweenEnds,
+  /// By the largest plane of the view, which it lies on (plane_depths.h).
+  kOnPlane
 };
 
 /// Node of a chain with its final depth.
@@ -26,12 +28,16 @@ struct FinalNode {
   /// Edge pixel with its depth, certain or not; idepth 0 if none was found.
   EdgeNode node;
   Certain certain = Certain::kNot;
+  /// The part of idepth_sigma that neighbours share.
+  double common = 0;
   /// Whether the chain breaks between this node and the next.
   bool breaks = false;
 
   /// Whether the node belongs to a line. A corner alone does not: the edge that its depth was copied from
   /// covers it already.
-  bool is_known() const { return certain == Certain::kByViews || certain == Certain::kBetweenEnds; }
+  bool is_known() const {
+    return certain == Certain::kByViews || certain == Certain::kBetweenEnds || certain == Certain::kOnPlane;
+  }
 };
 /// Nodes along one edge.
 using FinalChain = std::vector<FinalNode>;

@@ -8,6 +8,7 @@
 #include "chain_labels.h"
 #include "chain_smoothing.h"
 #include "epipolar_crossings.h"
+#include "plane_depths.h"
 
 namespace edgevo {
 namespace {
@@ -41,7 +42,9 @@ class DepthSearch {
   std::vector<EdgePiece> run() {
     for (const EdgeChain& chain : level_.edges.chains) follow(chain);
     copy_depth_at_corners(level_.edges, kCornerSourceShare * params_.max_relative_sigma, &chains_);
-    for (FinalChain& chain : chains_) bridge(&chain), collect(chain);
+    for (FinalChain& chain : chains_) bridge(&chain);
+    lay_on_plane();
+    for (const FinalChain& chain : chains_) collect(chain);
     return std::move(pieces_);
   }
 
@@ -167,6 +170,7 @@ class DepthSearch {
       const SmoothValue& s = smooth[i - begin];
       FinalNode& to = (*chain)[i];
       to.node = {nodes[i].edge_pixel, s.value, s.sigma, h.views, h.is_outline()};
+      to.common = values[i - begin].common;
       const double limit = params_.max_relative_sigma * s.value;
       if (s.value > 0 && s.sigma <= limit) to.certain = Certain::kByViews;
       const bool may_help = values[i - begin].common <= limit;
@@ -190,6 +194,16 @@ class DepthSearch {
            (node.idepth > 0 ||
             std::abs(h.idepth - idepth) <
                 kShownSigmas / std::sqrt(std::max(h.information, 1e-12)) + kShownShare * idepth);
+  }
+
+  void lay_on_plane() {
+    const WeighNode weigh_node = [this](const FinalNode& s, double idepth) {
+      look_from(s.node.edge_pixel);
+      const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
+      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
+                          h.views >= kMinSupport * h.in_view};
+    };
+    edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, &chains_);
   }
 
   void collect(const FinalChain& chain) {

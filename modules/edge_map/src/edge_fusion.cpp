@@ -30,9 +30,12 @@ constexpr double kInFront = 1.1;  // ratio of inverse depths: of two lines at on
 constexpr double kMinDepthRatio = 0.05;
 // A new depth replaces a known one if its standard deviation is below this share.
 constexpr double kMuchBetter = 0.75;
-// A vertex is confirmed by a second keyframe with the same depth, or by this many images: of the vertices
-// that only their host supports, from few images, half are wrong.
+// A vertex is confirmed by a second keyframe with the same depth, by the plane that it lies on, or, if its
+// depth is certain to this share, by this many images: of the vertices that only their host supports, from
+// few images, half are wrong; of those less certain, too, which many views show at any depth along the
+// motion.
 constexpr int kMinSeen = 2, kManyViews = 6;
+constexpr double kSureShare = 0.007;
 constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
@@ -229,6 +232,7 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
   v.normal = e.normal();
   v.views = node.views;
   v.is_outline = node.is_outline;
+  v.is_on_plane = node.is_on_plane;
   const Vertex* before = explained.source[size_t(node.edge_pixel)];
   if (before && is_same_depth(explained.known[size_t(node.edge_pixel)], node)) v.seen += before->seen;
   return v;
@@ -253,7 +257,9 @@ EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
   if (!params_.is_fused()) return EdgeStage::kKept;
   if (v.is_replaced) return EdgeStage::kReplaced;
   if (v.missed > v.seen) return EdgeStage::kMissed;
-  return v.seen >= kMinSeen || v.views >= kManyViews ? EdgeStage::kKept : EdgeStage::kUnconfirmed;
+  if (v.is_on_plane || v.seen >= kMinSeen) return EdgeStage::kKept;
+  const bool is_sure = double(v.vertex.idepth_sigma) <= kSureShare * double(v.vertex.idepth);
+  return is_sure && v.views >= kManyViews ? EdgeStage::kKept : EdgeStage::kUnconfirmed;
 }
 
 void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeStage stage) const {

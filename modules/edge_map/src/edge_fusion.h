@@ -54,6 +54,7 @@ class EdgeFusion {
     int new_depths = 0;
     bool is_replaced = false;  // by a line of a nearer keyframe
     bool is_outline = false;
+    bool is_on_plane = false;
   };
   using Line = std::vector<Vertex>;
   struct OpenHost {

@@ -15,10 +15,13 @@ namespace {
 
 // Keyframes used beyond the window: only they see what leaves the view.
 constexpr size_t kOlder = 8;
-// Nothing is nearer than a fifth of the depth of the nearest points.
-constexpr double kNearestShare = 0.95, kNearestTimes = 5;
+// Nothing is nearer than a fifteenth of the depth of the nearest points, which may be trees along a road.
+constexpr double kNearestShare = 0.95, kNearestTimes = 15;
 // Views passed on; each pixel is looked up in at most params.views of those that contain it.
 constexpr int kMaxViews = 12;
+// Frames between keyframes, besides: those next to the host, and those kept after each keyframe.
+constexpr size_t kMaxBetween = 8;
+constexpr int kBetweenKept = 4;
 constexpr int kMinPoints = 10;     // needed to estimate the nearest depth, or the gain of an image
 constexpr size_t kMaxWaiting = 4;  // keyframes; a thread further behind would not catch up
 
@@ -75,6 +78,26 @@ double max_idepth_of(const Keyframe& host, const std::deque<Keyframe>& younger) 
 }  // namespace
 
 struct EdgeMapper::Impl {
+  // A frame between keyframes.
+  struct BetweenView {
+    int keyframe_id;  // that its pose refers to
+    SE3 T_view_keyframe;
+    PyramidLevel level;  // pinhole and edges
+    int radius;          // of the field
+    std::shared_ptr<const std::vector<EdgeSides>> sides;
+    std::shared_ptr<const FramePyramid> pyramid;  // of the same edges with their field, while it is a view
+
+    void make_pyramid() {
+      if (pyramid) return;
+      auto made = std::make_shared<FramePyramid>();
+      made->levels.emplace_back();
+      PyramidLevel& finest = made->levels.front();
+      finest.pinhole = level.pinhole, finest.edges = level.edges,
+      finest.field = NearestField(level.edges, radius);
+      pyramid = std::move(made);
+    }
+  };
+
   Impl(const Rectification& rectification, const EdgeMapParams& p, bool own_thread,
        std::shared_ptr<MapLog> log, EdgeTrace* trace)
       : params(p),
@@ -96,9 +119,44 @@ struct EdgeMapper::Impl {
       const Keyframe& k = *(offset > 0 ? younger : older)[rank];
       views.push_back({k.pyramid, sides_of(k), k.T_cam_world * host.T_cam_world.inverse(), gain_of(host, k)});
     }
+    add_between(host, older, younger, &views);
     return views;
   }
 
+  // Keyframes whose images are gone are no views any more.
+  void forget_before(int keyframe_id) {
+    sides.erase(sides.begin(), sides.lower_bound(keyframe_id));
+    const auto is_old = [&](const BetweenView& b) { return b.keyframe_id < keyframe_id; };
+    between.erase(std::remove_if(between.begin(), between.end(), is_old), between.end());
+  }
+
+  void add_between(const Keyframe& host, const std::vector<const Keyframe*>& older,
+                   const std::vector<const Keyframe*>& younger, std::vector<EdgeView>* views) {
+    std::map<int, const Keyframe*> keyframes{{host.id, &host}};
+    for (const auto* list : {&older, &younger})
+      for (const Keyframe* k : *list) keyframes[k->id] = k;
+    std::vector<BetweenView*> sorted;
+    for (BetweenView& b : between)
+      if (keyframes.count(b.keyframe_id)) sorted.push_back(&b);
+    const auto T_view_host = [&](const BetweenView& b) {
+      return b.T_view_keyframe * keyframes.at(b.keyframe_id)->T_cam_world * host.T_cam_world.inverse();
+    };
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const BetweenView* a, const BetweenView* b) {
+      return T_view_host(*a).translation().norm() < T_view_host(*b).translation().norm();
+    });
+    for (size_t i = kMaxBetween; i < sorted.size(); ++i) sorted[i]->pyramid.reset();
+    if (sorted.size() > kMaxBetween) sorted.resize(kMaxBetween);
+    // In turn with the keyframes: near and far views share what a pixel is looked up in.
+    for (size_t i = 0; i < sorted.size(); ++i) {
+      sorted[i]->make_pyramid();
+      const Keyframe& near = *keyframes.at(sorted[i]->keyframe_id);
+      const EdgeView view{sorted[i]->pyramid, sorted[i]->sides, T_view_host(*sorted[i]),
+                          near.id == host.id ? 1 : gain_of(host, near)};
+      views->insert(views->begin() + long(std::min(2 * i, views->size())), view);
+    }
+  }
+
+  std::deque<BetweenView> between;
   EdgeMapParams params;
   EdgeFusion fusion;  // owned by the worker's thread while it works
   int skipped = 0;    // keyframes
@@ -114,11 +172,9 @@ EdgeMapper::~EdgeMapper() = default;
 void EdgeMapper::add(const Map& map) {
   if (!impl_->params.is_on()) return;
   const Keyframe& keyframe = map.marginalised().back();
-  if (keyframe.is_doubtful) return;
   const std::vector<const Keyframe*> older = older_than_last(map.marginalised());
-  // Keyframes whose images are gone are no views any more.
-  impl_->sides.erase(impl_->sides.begin(),
-                     impl_->sides.lower_bound(older.empty() ? keyframe.id : older.back()->id));
+  impl_->forget_before(older.empty() ? keyframe.id : older.back()->id);
+  if (keyframe.is_doubtful) return;
   const EdgeHost host{keyframe.id, keyframe.pyramid, impl_->sides_of(keyframe), keyframe.T_cam_world,
                       max_idepth_of(keyframe, map.active())};
   std::vector<EdgeView> views = impl_->views_of(keyframe, older, younger_than_last(map.active()));
@@ -130,6 +186,18 @@ void EdgeMapper::add(const Map& map) {
   if (!is_added) ++impl_->skipped;
 }
 
+void EdgeMapper::add_view(int keyframe_id, const SE3& T_view_keyframe, const FramePyramid& pyramid) {
+  if (!impl_->params.is_on()) return;
+  const auto& between = impl_->between;
+  const auto is_of_keyframe = [&](const auto& b) { return b.keyframe_id == keyframe_id; };
+  if (std::count_if(between.begin(), between.end(), is_of_keyframe) >= kBetweenKept) return;
+  PyramidLevel level;
+  level.pinhole = pyramid.finest().pinhole, level.edges = pyramid.finest().edges;
+  auto sides = std::make_shared<const std::vector<EdgeSides>>(sample_sides(pyramid.finest()));
+  impl_->between.push_back({keyframe_id, T_view_keyframe, std::move(level), pyramid.finest().field.radius(),
+                            std::move(sides), nullptr});
+}
+
 size_t EdgeMapper::keyframes_needed() const { return impl_->params.is_on() ? kOlder : 0; }
 
 void EdgeMapper::wait_idle() { impl_->worker.wait_idle(); }
@@ -137,13 +205,18 @@ bool EdgeMapper::is_idle() const { return impl_->worker.is_idle(); }
 
 void EdgeMapper::apply(const MapMoved& moved) {
   if (!impl_->params.is_on()) return;
-  if (moved.lens) impl_->sides.clear();
+  if (moved.lens) impl_->sides.clear(), impl_->between.clear();
+  for (auto& view : impl_->between)
+    if (const KeyframeMove* m = moved.find(view.keyframe_id))
+      view.T_view_keyframe =
+          SE3(view.T_view_keyframe.rotation(), m->scale_ratio * view.T_view_keyframe.translation());
   impl_->worker.wait_idle();
   impl_->fusion.apply(moved);
 }
 
 void EdgeMapper::close() {
   impl_->sides.clear();
+  impl_->between.clear();
   impl_->worker.wait_idle();
   impl_->fusion.close();
 }

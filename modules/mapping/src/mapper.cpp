@@ -129,6 +129,7 @@ MapUpdate Mapper::process(const TrackedFrame& tracked) {
   if (frame.focal_length) calibration_.note_focal_length(*frame.focal_length);
   drop_moving_points(frame, T_cam_world);
   filter_depths(frame, T_cam_world, &update.times);
+  if (!frame.make_keyframe) show_edges(frame, &update.times);
   if (frame.make_keyframe)
     make_keyframe(frame, T_cam_world, &update);
   else if (frame.return_to >= 0)
@@ -287,6 +288,13 @@ void Mapper::map_edges(StageTimes* times) {
     ++shed_work_.lines;
   else
     edge_mapper_.add(*map_);
+}
+
+// Lines need views of what is near, which keyframes alone pass by.
+void Mapper::show_edges(const TrackedFrame& frame, StageTimes* times) {
+  if (shedding_ >= Shedding::kLines || frame.is_in_doubt) return;
+  const StageTimer timer(Stage::kEdgeMap, times);
+  edge_mapper_.add_view(frame.reference_id, frame.T_cam_ref, *frame.pyramid);
 }
 
 // Drops what no later step needs of marginalised keyframes.

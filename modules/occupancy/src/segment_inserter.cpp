@@ -106,12 +106,13 @@ void SegmentInserter::note_seen(const octomap::OcTreeKey& key, int observations)
   entry->second = std::max(entry->second, batch_ + std::max(observations, 1) - 1);
 }
 
-// Marks the voxels of a line from vertex to vertex.
+// Marks the voxels of a line from vertex to vertex, where its depth is known to half a voxel.
 void SegmentInserter::draw(const EdgeLine& line, const SE3& T_map_cam) {
   std::optional<octomap::point3d> before;
   for (const EdgeVertex& v : line.vertices) {
     const Eigen::Vector3d p_cam = point_in_camera(pinhole_, v), p_map = T_map_cam * p_cam;
-    const bool is_marked = mark(p_map, p_cam.norm(), relative_sigma(v), line.keyframes);
+    const bool is_certain = relative_sigma(v) * p_cam.norm() <= 0.5 * tree_->getResolution();
+    const bool is_marked = is_certain && mark(p_map, p_cam.norm(), relative_sigma(v), line.keyframes);
     const octomap::point3d here = to_octomap(p_map);
     if (is_marked && before && tree_->computeRayKeys(*before, here, ray_))
       for (const octomap::OcTreeKey& between : ray_) note_seen(between, line.keyframes);

@@ -123,6 +123,16 @@ TEST(OctreeMap, LinesAreDrawnVoxelByVoxel) {
     EXPECT_EQ(at(map.tree(), scene.run, {x, 0.05, 5.05}), Voxel::kOccupied) << x;
 }
 
+// Nearby, too: at 5 m, 2 % are a voxel.
+TEST(OctreeMap, ALineOfUncertainDepthIsNotDrawn) {
+  auto scene = pole_and_wall(6, 5);
+  const Eigen::Vector3d a(-0.95, 0.05, 5.05), b(0.95, 0.05, 5.05);
+  EdgeLine bar = test::edge_line(scene.run.pinhole, scene.run.keyframes[0].T_world_cam, a, b, 2);
+  for (EdgeVertex& v : bar.vertices) v.idepth_sigma = 0.02f * v.idepth;
+  scene.run.keyframes[0].lines = {bar};
+  EXPECT_NE(at(OctreeMap(scene.run, fixed_size()).tree(), scene.run, {0.55, 0.05, 5.05}), Voxel::kOccupied);
+}
+
 // A bar seen by the first keyframe from 18 m, beyond the range of 15.
 Voxel far_bar(double relative_sigma, double forward_later) {
   auto scene = pole_and_wall(2, 5);
@@ -136,9 +146,9 @@ Voxel far_bar(double relative_sigma, double forward_later) {
 }
 
 TEST(OctreeMap, PointsBeyondTheRangeCountIfTheCameraComesNearLater) {
-  EXPECT_EQ(far_bar(0.005, 5), Voxel::kOccupied);
-  EXPECT_NE(far_bar(0.005, 1), Voxel::kOccupied) << "the camera stayed out of range";
-  EXPECT_NE(far_bar(0.01, 5), Voxel::kOccupied) << "depth not known to a voxel";
+  EXPECT_EQ(far_bar(0.0025, 5), Voxel::kOccupied);
+  EXPECT_NE(far_bar(0.0025, 1), Voxel::kOccupied) << "the camera stayed out of range";
+  EXPECT_NE(far_bar(0.01, 5), Voxel::kOccupied) << "depth not known to half a voxel";
 }
 
 TEST(OctreeMap, MetricVoxelsAreAtMostAFifthOfAMetre) {

@@ -12,7 +12,8 @@
 //   3. The chain: dynamic programming selects a hypothesis or none for each pixel, so that depth is
 //      continuous along the edge or breaks; then a line fitted to the neighbours smooths it (the image of a
 //      straight edge has inverse depths that are exactly linear along it).
-// An edge along its epipolar line has J = 0: it takes the depth of its neighbours, or none.
+// An edge along its epipolar line has J = 0: it takes the depth of its neighbours, of its ends, or of the
+// largest plane of the view, or none.
 //
 // Cost at 1241x376, 20 000 edge pixels, 8 views: about 40 ms (tests/bench/bench_edge_map.cpp). Thread-safe.
 #include <Eigen/Core>
@@ -60,6 +61,8 @@ struct EdgeNode {
   int views = 0;
   /// Whether only one side of the edge looks the same in the other views (an occluding contour).
   bool is_outline = false;
+  /// Whether it has the depth of the largest plane of the view (a road, a facade).
+  bool is_on_plane = false;
 };
 
 /// Neighbours on one edge without a jump in depth, in the order of the chain.

@@ -19,7 +19,7 @@ struct EdgeMapParams {
   /// Vertices.
   int min_vertices = 4;
   /// Share of the inverse depth.
-  double max_relative_sigma = 0.007;
+  double max_relative_sigma = 0.03;
 
   /// Whether lines are made at all.
   bool is_on() const { return mode != "off"; }

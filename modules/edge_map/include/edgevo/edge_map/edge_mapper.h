@@ -33,6 +33,10 @@ class EdgeMapper {
   /// nor is a view of others. Its edges are looked for in the images of the active keyframes and of those
   /// marginalised before it.
   void add(const Map& map);
+  /// Adds a frame between keyframes as another view: what is near leaves the view before a second keyframe
+  /// sees it. `T_view_keyframe`: its motion from keyframe `keyframe_id`, an active one. Of the frames of one
+  /// keyframe the first four are kept, their edges alone. Cost: 1 ms, 0.7 MB at 1241x376.
+  void add_view(int keyframe_id, const SE3& T_view_keyframe, const FramePyramid& pyramid);
   /// Number of newest marginalised keyframes whose images and matches the next add() uses.
   size_t keyframes_needed() const;
   /// Waits until all keyframes added so far are processed: their events then precede what the caller appends.

@@ -186,6 +186,7 @@ class Mapper {
   double check_tracking(const TrackedFrame& frame);
   void remove_oldest(StageTimes* times);
   void map_edges(StageTimes* times);
+  void show_edges(const TrackedFrame& frame, StageTimes* times);
   bool must_wait_to_calibrate() const;
   void calibrate_if_due(StageTimes* times);
   void move_if_proposed();

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// Depth for nodes of chains from the largest plane of the view (edge_planes.h): of edges along the motion,
+// which views do not constrain, and of those that too few views show to find them without a guess.
+#include <functional>
+
+#include "chain_gaps.h"
+#include "depth_evidence.h"
+
+namespace edgevo {
+
+/// What the views say of a node at a guessed inverse depth.
+struct NodeEvidence {
+  Hypothesis hypothesis;
+  /// Standard deviation of the error that all views share.
+  double common = 0;
+  /// Whether enough of the views that contain the point show an edge there.
+  bool is_supported = false;
+};
+using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
+
+struct PlaneLimits {
+  double max_idepth = 0;
+  /// idepth_sigma / idepth of a node may not exceed it.
+  double max_relative_sigma = 0;
+};
+
+/// Finds the plane, refines it with the evidence of the nodes on it, and gives those that have no certain
+/// depth the one that it has there. Around such a node most edges must lie on the plane. If views cannot show
+/// that it lies there, since it runs along the motion, edges on both its sides must.
+void lay_on_plane(const ImageEdges& edges, const PlaneLimits& limits, const WeighNode& weigh_node,
+                  std::vector<FinalChain>* chains);
+
+}  // namespace edgevo

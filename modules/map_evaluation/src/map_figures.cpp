@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/map_evaluation/map_figures.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "edgevo/core/error.h"
+#include "placed_lines.h"
+#include "true_view.h"
+
+namespace edgevo {
+namespace {
+
+constexpr double kBands[] = {2, 5, 10, 20, 40, 100};  // metres: hands to roads
+// Kinds are of the nearest band with this share of all edges: a robot meets those.
+constexpr double kNearShare = 0.25;
+
+// The drawn pixels of a view by the pixel that they lie at, to find those next to an edge.
+class DrawnGrid {
+ public:
+  DrawnGrid(const std::vector<DrawnPixel>& drawn, const Pinhole& p) : width_(p.width), height_(p.height) {
+    first_.assign(size_t(width_) * size_t(height_), -1);
+    next_.resize(drawn.size());
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      int& first = first_[size_t(std::lround(drawn[i].px.y()) * width_ + std::lround(drawn[i].px.x()))];
+      next_[i] = first, first = int(i);
+    }
+  }
+  bool explains(const TrueEdgePixel& e, const std::vector<DrawnPixel>& drawn,
+                const MapEvaluationOptions& o) const {
+    const int reach = int(std::ceil(o.within_px)), u = int(std::lround(e.px.x())),
+              v = int(std::lround(e.px.y()));
+    for (int y = std::max(0, v - reach); y <= std::min(height_ - 1, v + reach); ++y)
+      for (int x = std::max(0, u - reach); x <= std::min(width_ - 1, u + reach); ++x)
+        for (int i = first_[size_t(y * width_ + x)]; i >= 0; i = next_[size_t(i)])
+          if ((drawn[size_t(i)].px - e.px).norm() <= o.within_px &&
+              std::abs(drawn[size_t(i)].depth - e.depth) <= o.depth_share * e.depth)
+            return true;
+    return false;
+  }
+
+ private:
+  int width_, height_;
+  std::vector<int> first_, next_;
+};
+
+// One frame compared.
+struct Comparison {
+  Comparison(const SceneRenderer& scene, PyramidBuilder* builder, const PlacedLines& lines, int index,
+             const MapEvaluationOptions& o)
+      : view(scene, builder, index, index >= o.every ? index - o.every : std::min(o.every, scene.size() - 1)),
+        drawn(draw_lines(lines, view.pinhole(), view.T_scene_cam())) {
+    const DrawnGrid grid(drawn, view.pinhole());
+    for (const TrueEdgePixel& e : view.edges()) is_found.push_back(grid.explains(e, drawn, o));
+    for (const DrawnPixel& d : drawn) {
+      is_hidden.push_back(view.is_hidden(d.px, d.depth, o.within_px, o.depth_share));
+      is_right.push_back(view.has_edge(d.px, d.depth, o.within_px, o.depth_share));
+    }
+  }
+
+  TrueView view;
+  std::vector<DrawnPixel> drawn;
+  std::vector<bool> is_found;             // by edge of the view
+  std::vector<bool> is_hidden, is_right;  // by drawn pixel
+};
+
+// A pixel of a piece of a line in one frame.
+struct Sample {
+  size_t piece;
+  float depth;
+  bool is_hidden, is_right;
+};
+
+// All samples on a map.
+class Samples {
+ public:
+  explicit Samples(size_t pieces)
+      : nearest_(pieces, std::numeric_limits<float>::infinity()), is_right_there_(pieces, false) {}
+
+  void add(const Comparison& c) {
+    for (size_t d = 0; d < c.drawn.size(); ++d) {
+      const Sample v{c.drawn[d].piece, float(c.drawn[d].depth), c.is_hidden[d], c.is_right[d]};
+      all_.push_back(v);
+      if (v.is_hidden) continue;
+      if (v.depth < nearest_[v.piece]) nearest_[v.piece] = v.depth, is_right_there_[v.piece] = v.is_right;
+    }
+  }
+  // Calls `f` with depth and judgement. What a frame sees from too far to resolve is right if the nearest one
+  // finds the edge; what is hidden counts only if it always is.
+  template <class F>
+  void each(const F& f) const {
+    for (const Sample& v : all_)
+      if (!v.is_hidden || !std::isfinite(nearest_[v.piece]))
+        f(double(v.depth), !v.is_hidden && (v.is_right || is_right_there_[v.piece]));
+  }
+
+ private:
+  std::vector<Sample> all_;
+  std::vector<float> nearest_;        // by piece: the least depth at which it is seen
+  std::vector<bool> is_right_there_;  // whether it lies at an edge there
+};
+
+struct Bands {
+  Bands() {
+    for (const double limit : kBands) limits.push_back(limit);
+    limits.push_back(std::numeric_limits<double>::infinity());
+    figures.resize(limits.size());
+    for (size_t i = 0; i < limits.size(); ++i)
+      figures[i].name = i + 1 < limits.size() ? "within " + std::to_string(int(limits[i])) + " m" : "all";
+  }
+  template <class F>
+  void at(double depth, const F& f) {
+    for (size_t i = 0; i < limits.size(); ++i)
+      if (depth <= limits[i]) f(&figures[i]);
+  }
+  std::vector<double> limits;
+  std::vector<MapFigure> figures;
+};
+
+struct KindCount {
+  double depth;
+  TrueEdge kind;
+  bool is_along, is_found;
+};
+
+std::vector<MapFigure> count_kinds(const std::vector<KindCount>& edges, double near_m) {
+  std::vector<MapFigure> kinds(6);
+  const char* names[] = {"outlines", "creases",          "texture",
+                         "no label", "along the motion", "across the motion"};
+  for (size_t i = 0; i < kinds.size(); ++i) kinds[i].name = names[i];
+  for (const KindCount& e : edges) {
+    if (e.depth > near_m) continue;
+    const size_t kind = e.kind == TrueEdge::depth_step ? 0
+                        : e.kind == TrueEdge::crease   ? 1
+                        : e.kind == TrueEdge::texture  ? 2
+                                                       : 3;
+    for (MapFigure* m : {&kinds[kind], &kinds[e.is_along ? 4 : 5]}) ++m->edges, m->found += e.is_found;
+  }
+  return kinds;
+}
+
+double near_limit(const Bands& bands) {
+  const double all = double(bands.figures.back().edges);
+  for (size_t i = 0; i + 1 < bands.limits.size(); ++i)
+    if (double(bands.figures[i].edges) >= kNearShare * all) return bands.limits[i];
+  return bands.limits.back();
+}
+
+}  // namespace
+
+double MapFigure::f() const {
+  const double sum = completeness() + rightness();
+  return sum > 0 ? 2 * completeness() * rightness() / sum : 0;
+}
+
+MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEvaluationOptions& options) {
+  const PlacedLines lines = place_lines(map, scene.scene());
+  PyramidBuilder builder(scene.camera(), EdgeParams());
+  const int end = options.end < 0 ? lines.last_frame + 1 : std::min(options.end, scene.size());
+  MapFigures result;
+  result.metres_per_unit = lines.metres_per_unit;
+  Bands bands;
+  std::vector<KindCount> kinds;
+  Samples samples(lines.pieces.size());
+  for (int i = options.begin; i < end; i += options.every) {
+    const Comparison c(scene, &builder, lines, i, options);
+    ++result.frames;
+    for (size_t e = 0; e < c.is_found.size(); ++e) {
+      const TrueEdgePixel& t = c.view.edges()[e];
+      bands.at(t.depth, [&](MapFigure* m) { ++m->edges, m->found += c.is_found[e]; });
+      kinds.push_back({t.depth, t.kind, t.is_along_motion, c.is_found[e]});
+    }
+    samples.add(c);
+  }
+  samples.each([&](double depth, bool is_right) {
+    bands.at(depth, [&](MapFigure* m) { ++m->drawn, m->right += is_right; });
+  });
+  result.bands = bands.figures;
+  result.near_m = near_limit(bands);
+  result.kinds = count_kinds(kinds, result.near_m);
+  return result;
+}
+
+std::string map_picture_png(const Run& map, const SceneRenderer& scene, int index,
+                            const MapEvaluationOptions& options) {
+  if (index < 0 || index >= scene.size())
+    throw InputError("the picture", "there is no frame " + std::to_string(index), "give a smaller number");
+  constexpr int kTimes = 2;  // larger
+  PyramidBuilder builder(scene.camera(), EdgeParams());
+  const Comparison c(scene, &builder, place_lines(map, scene.scene()), index, options);
+  cv::Mat picture(c.view.pinhole().height, c.view.pinhole().width, CV_8UC3);
+  for (int y = 0; y < picture.rows; ++y)
+    for (int x = 0; x < picture.cols; ++x)
+      picture.at<cv::Vec3b>(y, x) =
+          cv::Vec3b::all(uint8_t(c.view.image().pixels[size_t(y * picture.cols + x)] / 3));
+  cv::resize(picture, picture, {}, kTimes, kTimes, cv::INTER_NEAREST);
+  const auto dot = [&](const Eigen::Vector2d& px, const cv::Vec3b& colour) {
+    const cv::Point at(int(kTimes * (px.x() + 0.5)), int(kTimes * (px.y() + 0.5)));
+    if (at.inside({0, 0, picture.cols, picture.rows})) picture.at<cv::Vec3b>(at) = colour;
+  };
+  for (size_t e = 0; e < c.is_found.size(); ++e)
+    dot(c.view.edges()[e].px, c.is_found[e] ? cv::Vec3b{60, 220, 60} : cv::Vec3b{60, 60, 255});
+  for (size_t d = 0; d < c.drawn.size(); ++d)
+    if (!c.is_hidden[d] && !c.is_right[d]) dot(c.drawn[d].px, {255, 140, 40});
+  std::vector<uchar> png;
+  cv::imencode(".png", picture, png);
+  return {png.begin(), png.end()};
+}
+
+}  // namespace edgevo

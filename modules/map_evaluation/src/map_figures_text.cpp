@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <cstdio>
+
+#include "edgevo/map_evaluation/map_figures.h"
+
+namespace edgevo {
+namespace {
+
+template <class... Values>
+std::string formatted_row(const char* format, Values... values) {
+  char buffer[160];
+  std::snprintf(buffer, sizeof buffer, format, values...);
+  return buffer;
+}
+
+std::string json_figure(const MapFigure& m) {
+  return formatted_row(
+      "{\"name\": \"%s\", \"edges\": %lld, \"complete\": %.4f, \"lines\": %lld, \"right\": %.4f, \"f\": "
+      "%.4f}",
+      m.name.c_str(), (long long)m.edges, m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+}
+
+std::string json_list(const std::vector<MapFigure>& figures) {
+  std::string text;
+  for (const MapFigure& m : figures) text += (text.empty() ? "\n    " : ",\n    ") + json_figure(m);
+  return "[" + text + "\n  ]";
+}
+
+}  // namespace
+
+std::string to_table(const MapFigures& figures) {
+  std::string text = formatted_row(
+      "%d frames compared; %.6g metres per unit of the map\n\n%-20s %10s %9s %10s %7s %6s\n", figures.frames,
+      figures.metres_per_unit, "edges", "pixels", "complete", "line px", "right", "F");
+  for (const MapFigure& m : figures.bands)
+    if (m.edges > 0 || m.drawn > 0)
+      text += formatted_row("%-20s %10lld %9.3f %10lld %7.3f %6.3f\n", m.name.c_str(), (long long)m.edges,
+                            m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+  text += std::isfinite(figures.near_m) ? formatted_row("\nwithin %g m:\n", figures.near_m) : "\n";
+  for (const MapFigure& m : figures.kinds)
+    text += formatted_row("%-20s %10lld %9.3f\n", m.name.c_str(), (long long)m.edges, m.completeness());
+  return text;
+}
+
+std::string to_json(const MapFigures& figures) {
+  return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g,\n  \"bands\": ", figures.frames,
+                       figures.metres_per_unit) +
+         json_list(figures.bands) + ",\n  \"kinds\": " + json_list(figures.kinds) + "\n}\n";
+}
+
+}  // namespace edgevo

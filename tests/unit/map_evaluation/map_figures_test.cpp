@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps whose figures are known: made of the true edges of the rendered street.
+#include "edgevo/map_evaluation/map_figures.h"
+
+#include <gtest/gtest.h>
+
+#include "edgevo/core/error.h"
+#include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/simulation/correspondence.h"
+
+namespace edgevo {
+namespace {
+
+constexpr int kEvery = 8, kKeyframes = 4;
+constexpr double kUnit = 2.5;  // metres per unit of the made map
+
+const SceneRenderer& street() {
+  static const SceneRenderer renderer(load_scene("street", 7));
+  return renderer;
+}
+
+MapEvaluationOptions options() { return {kEvery, 2, 0.05, 0, kEvery * kKeyframes}; }
+
+// Lines at the true depths times `factor`, of every `every`-th edge.
+edgevo::Run true_map(double factor, int every) {
+  edgevo::Run run;
+  PyramidBuilder builder(street().camera(), EdgeParams());
+  run.pinhole = builder.pinhole();
+  for (int k = 0; k < kKeyframes; ++k) {
+    const RenderedFrame frame = street().render(k * kEvery);
+    const ImageView<float> depth{frame.depth.data(), run.pinhole.width, run.pinhole.height,
+                                 run.pinhole.width};
+    KeyframeRecord keyframe;
+    keyframe.frame_index = k * kEvery;
+    keyframe.T_world_cam = SE3(frame.T_world_cam.R(), frame.T_world_cam.translation() / kUnit);
+    const auto pyramid = builder.build(frame.image);
+    const ImageEdges& edges = pyramid->finest().edges;
+    for (size_t c = 0; c < edges.chains.size(); c += size_t(every)) {
+      EdgeLine line;
+      const auto flush = [&] {
+        if (line.vertices.size() >= 2) keyframe.lines.push_back(line);
+        line.vertices.clear();
+      };
+      for (int i = edges.chains[c].begin; i < edges.chains[c].end; ++i) {
+        const EdgePixel& e = edges.pixels[size_t(i)];
+        const float idepth = float(edge_idepth(depth, e.position().cast<double>()) * kUnit / factor);
+        const bool jumps =
+            !line.vertices.empty() && std::abs(line.vertices.back().idepth - idepth) > 0.05 * idepth;
+        if (jumps || !(idepth > 0)) flush();
+        if (idepth > 0) line.vertices.push_back({e.position(), idepth, 0.01f, 0, 255});
+      }
+      flush();
+    }
+    run.keyframes.push_back(std::move(keyframe));
+  }
+  return run;
+}
+
+TEST(MapFigures, TheTrueMapIsCompleteAndRight) {
+  const MapFigures figures = evaluate_map(true_map(1, 1), street(), options());
+  EXPECT_NEAR(figures.metres_per_unit, kUnit, 1e-3);
+  EXPECT_EQ(figures.frames, kKeyframes);
+  EXPECT_GT(figures.bands.back().completeness(), 0.98);
+  EXPECT_GT(figures.bands.back().rightness(), 0.9);
+}
+
+TEST(MapFigures, WrongDepthsExplainNothing) {
+  const MapFigures figures = evaluate_map(true_map(1.2, 1), street(), options());
+  EXPECT_LT(figures.bands.back().completeness(), 0.15);
+  EXPECT_LT(figures.bands.back().rightness(), 0.25);
+}
+
+TEST(MapFigures, HalfOfTheEdgesAreHalfComplete) {
+  edgevo::Run half = true_map(1, 2);
+  half.keyframes.resize(3);
+  MapEvaluationOptions first = options();
+  first.end = kEvery * 3;
+  const MapFigures figures = evaluate_map(half, street(), first);
+  EXPECT_GT(figures.bands.back().completeness(), 0.35);
+  EXPECT_LT(figures.bands.back().completeness(), 0.8);
+  EXPECT_GT(figures.bands.back().rightness(), 0.9);
+}
+
+TEST(MapFigures, BandsAreCumulativeAndKindsAddUp) {
+  const MapFigures figures = evaluate_map(true_map(1, 1), street(), options());
+  for (size_t i = 1; i < figures.bands.size(); ++i)
+    EXPECT_GE(figures.bands[i].edges, figures.bands[i - 1].edges);
+  int64_t by_kind = 0, by_direction = 0;
+  for (size_t i = 0; i < figures.kinds.size(); ++i)
+    (i < 4 ? by_kind : by_direction) += figures.kinds[i].edges;
+  EXPECT_EQ(by_kind, by_direction);
+  EXPECT_GT(figures.kinds[4].edges, 0);  // along the motion
+}
+
+TEST(MapFigures, AMapOfAnotherSceneIsRefused) {
+  edgevo::Run still = true_map(1, 50);
+  for (KeyframeRecord& k : still.keyframes) k.T_world_cam = SE3();
+  EXPECT_THROW(evaluate_map(still, street(), options()), InputError);
+}
+
+TEST(MapFigures, ThePictureIsAPng) {
+  const std::string png = map_picture_png(true_map(1, 1), street(), 8, options());
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_THROW(map_picture_png(true_map(1, 50), street(), 100000), InputError);
+}
+
+}  // namespace
+}  // namespace edgevo
