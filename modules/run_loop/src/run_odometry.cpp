@@ -3,6 +3,7 @@
 
 #include <ctime>
 #include <memory>
+#include <utility>
 
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
@@ -25,11 +26,30 @@ double cpu_seconds(Work&& work) {
 using OnFrame = std::function<bool(const ProcessedFrame&)>;
 using Stop = std::function<bool()>;
 
+// Samples of a gyro, up to each frame.
+class GyroFeed {
+ public:
+  explicit GyroFeed(GyroReadings readings) : readings_(std::move(readings)) { advance(); }
+
+  // Those up to a time, and as much after it as clocks differ.
+  void feed_until(Timestamp time, Odometry* odometry) {
+    constexpr double kAfterS = 0.3;
+    for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
+  }
+
+ private:
+  void advance() { next_ = readings_ ? readings_() : std::nullopt; }
+
+  GyroReadings readings_;
+  std::optional<GyroSample> next_;
+};
+
 // What the loop works with, from the first frame to the last.
 struct RunLoop {
   LenientSource& source;
   Odometry& odometry;
   PastFollower& past;
+  GyroFeed& gyro;
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
@@ -57,6 +77,7 @@ FrameRecord process(const RunLoop& loop, const Frame& frame) {
   if (frame.image.empty()) return skip_bad_frame(loop, frame);
   FrameRecord record;
   loop.result->cpu_s += cpu_seconds([&] {
+    loop.gyro.feed_until(frame.time, &loop.odometry);
     record = loop.odometry.process(frame);
     loop.past.follow();
   });
@@ -142,9 +163,11 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{lenient, odometry, past, options, stop, on_frame, [&] { return odometry.frame_view(); },
-                     &result};
+  GyroFeed gyro(source.gyro_readings());
+  const RunLoop loop{
+      lenient, odometry, past, gyro, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] {
+    result.gyro = odometry.gyro();
     result.cpu_s += cpu_seconds([&] {
       odometry.close();
       result.places = past.finish();

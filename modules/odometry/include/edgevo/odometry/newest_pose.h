@@ -10,6 +10,7 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
+#include "edgevo/tracking/heading.h"
 
 namespace edgevo {
 
@@ -33,6 +34,8 @@ struct NewestPose {
   int segment = -1;
   /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.
   std::optional<SE3> T_cam_map;
+  /// Of a frame without a pose, where a gyro has followed the camera since the last one with one.
+  std::optional<Heading> heading;
   /// From the segment's map to the frame of live poses, in which nothing jumps: p_odom = odom_scale R p + t.
   SE3 T_odom_map;
   /// See T_odom_map.
