@@ -93,11 +93,26 @@ Rows read_rows(const std::string& text, const std::string& path) {
   return rows;
 }
 
-std::vector<Timestamp> times_of(const Rows& rows, const std::string& time_unit) {
+// The unit in which the median step is that of a gyro: 0.2 to 100 ms, less than a factor of 1000.
+std::string unit_of(const Rows& rows, const std::string& path) {
+  constexpr double kShortest = 2e-4, kLongest = 0.1;  // seconds
+  std::vector<double> times, steps;
+  for (size_t i = 0; i < rows.times.size(); ++i) times.push_back(parse_number(rows.times[i], rows.where[i]));
+  for (size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const double step = median(std::move(steps));
+  const std::pair<const char*, double> units[] = {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}};
+  for (const auto& [symbol, seconds] : units)
+    if (step * seconds >= kShortest && step * seconds <= kLongest) return symbol;
+  throw InputError(path,
+                   "its times are not those of a gyro: most are " + quote(std::to_string(step)) + " apart",
+                   "write 10 to 5000 samples a second, in seconds or nanoseconds");
+}
+
+std::vector<Timestamp> times_of(const Rows& rows, const std::string& path) {
   std::vector<Timestamp> times;
   UnitOfTimes unit;
   size_t bad = 0;
-  if (!parse_times(rows.times, time_unit, &times, &unit, &bad))
+  if (!parse_times(rows.times, unit_of(rows, path), &times, &unit, &bad))
     throw InputError(rows.where[bad], quote(rows.times[bad]) + " is not a time", "write one number");
   return times;
 }
@@ -117,7 +132,7 @@ void check_rates(const Triples& rates, const Rows& rows) {
 
 }  // namespace
 
-GyroFile read_gyro_file(const std::string& path, const std::string& time_unit) {
+GyroFile read_gyro_file(const std::string& path) {
   const std::string text = read_text_file(path);
   const Columns columns = columns_of(first_comment(text));
   Rows rows = read_rows(text, path);
@@ -132,7 +147,7 @@ GyroFile read_gyro_file(const std::string& path, const std::string& time_unit) {
   }
   const Triples& rates = is_second ? rows.second : rows.first;
   check_rates(rates, rows);
-  const std::vector<Timestamp> times = times_of(rows, time_unit);
+  const std::vector<Timestamp> times = times_of(rows, path);
   check_order(times, rows);
   if (columns.is_degrees) file.decided = "in degrees a second, as its header says";
   for (size_t i = 0; i < times.size(); ++i)

@@ -10,7 +10,7 @@ namespace edgevo {
 
 /// `inner` with the gyro of options.gyro, without any for "off", or as it is, with the file next to it if it
 /// has no gyro of its own. What was decided is said. Throws InputError for a file that cannot be used; one
-/// that only lies next to the images is then left out, and that is said.
+/// that only lies next to the images is then not used, and that is said.
 std::unique_ptr<ImageSource> with_gyro(std::unique_ptr<ImageSource> inner, const SourceOptions& options);
 
 }  // namespace edgevo

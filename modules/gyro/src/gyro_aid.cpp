@@ -22,8 +22,8 @@ constexpr size_t kMostTurns = 300;  // of a fit: ten seconds
 constexpr size_t kCompared = 60, kNewest = 7;
 // A gyro whose errors are twice those of going on as before is not used.
 constexpr double kWorse = 4;  // of squares
-// Change of the bias, rad/s over the root of a second: 0.1 degrees/s in a minute, as a MEMS gyro warms up.
-constexpr double kBiasWalk = rad(0.1) / 7.7;
+// Change of the bias, rad/s over the root of a second: 0.05 degrees/s in a minute, as a MEMS gyro warms up.
+constexpr double kBiasWalk = rad(0.05) / 7.7;
 constexpr double kDegrees = rad(1);
 
 std::string formatted_degrees(const char* format, double a, double b) {

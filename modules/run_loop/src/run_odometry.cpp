@@ -3,11 +3,11 @@
 
 #include <ctime>
 #include <memory>
-#include <utility>
 
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
+#include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
 #include "lenient_source.h"
 #include "load_control.h"
@@ -25,24 +25,6 @@ double cpu_seconds(Work&& work) {
 
 using OnFrame = std::function<bool(const ProcessedFrame&)>;
 using Stop = std::function<bool()>;
-
-// Samples of a gyro, up to each frame.
-class GyroFeed {
- public:
-  explicit GyroFeed(GyroReadings readings) : readings_(std::move(readings)) { advance(); }
-
-  // Those up to a time, and as much after it as clocks differ.
-  void feed_until(Timestamp time, Odometry* odometry) {
-    constexpr double kAfterS = 0.3;
-    for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
-  }
-
- private:
-  void advance() { next_ = readings_ ? readings_() : std::nullopt; }
-
-  GyroReadings readings_;
-  std::optional<GyroSample> next_;
-};
 
 // What the loop works with, from the first frame to the last.
 struct RunLoop {

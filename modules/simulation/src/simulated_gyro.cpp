@@ -44,12 +44,12 @@ Eigen::Matrix3d axes(const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
 const std::vector<GyroKind>& kinds() {
   static const std::vector<GyroKind> kKinds{
       // Held upright: x right, y up, z towards the holder.
-      {"phone", 200, rad(0.01), rad(1), rad(0.01), 0.01, 0.015, 0.002, rad(1), axes({1, 0, 0}, {0, -1, 0})},
+      {"phone", 200, rad(0.01), rad(1), rad(0.003), 0.01, 0.015, 0.002, rad(1), axes({1, 0, 0}, {0, -1, 0})},
       // x forward, y left, z up.
-      {"drone", 400, rad(0.008), rad(0.5), rad(0.02), 0.005, -0.006, 0.001, rad(2),
+      {"drone", 400, rad(0.008), rad(0.5), rad(0.003), 0.005, -0.006, 0.001, rad(2),
        axes({0, 0, 1}, {-1, 0, 0})},
       // A cheap board, turned by a quarter on a robot.
-      {"robot", 100, rad(0.03), rad(1.5), rad(0.02), 0.015, 0.03, 0.02, rad(4), axes({1, 0, 0}, {0, 0, 1})}};
+      {"robot", 100, rad(0.03), rad(1.5), rad(0.005), 0.015, 0.03, 0.02, rad(4), axes({1, 0, 0}, {0, 0, 1})}};
   return kKinds;
 }
 

@@ -6,7 +6,7 @@
 //   EuRoC, TUM-VI  mav0/imu0/data.csv, nanoseconds
 //   DM-VIO         imu.txt, nanoseconds or seconds
 //
-// The unit of the times is found as that of images is (--time-unit). A header (#) that names degrees, or
+// The unit of the times is that in which the steps are those of a gyro. A header (#) that names degrees, or
 // accelerations first, is believed; without one, a triple as long as gravity is the acceleration. A file in
 // degrees a second that does not say so is found by the images (gyro/gyro_aid.h).
 #include <string>
@@ -26,8 +26,8 @@ struct GyroFile {
 };
 
 /// Reads a file. Throws InputError that names file and line: another number of fields, no number, a time
-/// before that of the line before, rates that no gyro has, fewer than two samples.
-GyroFile read_gyro_file(const std::string& path, const std::string& time_unit = "");
+/// before that of the line before, times or rates that no gyro has, fewer than two samples.
+GyroFile read_gyro_file(const std::string& path);
 
 /// The file of a gyro in the folder of a source, or next to it; empty if there is none.
 std::string find_gyro_file(const std::string& source);
