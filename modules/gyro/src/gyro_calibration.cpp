@@ -86,7 +86,7 @@ Agreement best_agreement(const GyroIntegrator& gyro, const std::vector<SeenTurn>
 bool turns_enough(const std::vector<SeenTurn>& turns) {
   double seen = 0, noise = 0;
   for (const SeenTurn& t : turns) seen += rotation_vector(t.R).squaredNorm(), noise += t.covariance.trace();
-  constexpr double kTimesNoise = 100;  // ten sigmas
+  constexpr double kTimesNoise = 10;  // covariances of images may be too small by half of that
   return seen > kTimesNoise * noise;
 }
 
@@ -146,12 +146,12 @@ GyroModel refine_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& t
 GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns) {
   GyroFit fit;
   const Agreement a = best_agreement(gyro, turns);
-  if (a.turns < 3 || !turns_enough(turns)) return fit;
+  if (a.turns < 3) return fit;
   fit.times = a.times;
   const double chosen = std::log(2 * kMostOffsetS / kOffsetStepS);  // the best of so many
   if (log_odds(0, a.best(), a.turns) < kSure + chosen) {
     constexpr int kEnough = 150;  // turns: five seconds of a camera that turns
-    if (a.turns >= kEnough) fit.kind = GyroFit::Kind::kUnrelated;
+    if (a.turns >= kEnough && turns_enough(turns)) fit.kind = GyroFit::Kind::kUnrelated;
     return fit;
   }
   if (log_odds(a.proper, a.mirrored, a.turns) > kSure) {

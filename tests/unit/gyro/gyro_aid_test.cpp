@@ -19,7 +19,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr double kFrame = 1.0 / 30, kImageNoise = rad(0.02);
+constexpr double kFrame = 1.0 / 30, kImageNoise = rad(0.015);
 
 // A hand that turns about three axes, or one.
 SE3 hand_at(double t, bool one_axis) {
