@@ -38,7 +38,18 @@ GyroAid::GyroAid(const std::optional<GyroModel>& known) : model_(known), next_ca
   was_observed_ = model_ && model_->is_observed();
 }
 
-void GyroAid::add(const GyroSample& sample) { gyro_.add(sample); }
+void GyroAid::add(const GyroSample& sample) {
+  constexpr double kStuckS = 1;  // at rest a coarse gyro repeats its rates for some samples
+  gyro_.add(sample);
+  if (stuck_.empty() && gyro_.repeated_s() > kStuckS) {
+    stuck_ = "stuck: it repeats its rates since " + to_string(sample.time) + " s";
+    reports_.push_back("gyro: " + stuck_);
+  } else if (gyro_.repeated_s() == 0) {
+    stuck_.clear();
+  }
+}
+
+bool GyroAid::is_used() const { return model_ && !is_worse(kNewest, kWorse); }
 
 void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
                   const Eigen::Matrix3d& covariance) {
@@ -104,6 +115,20 @@ double GyroAid::factor(size_t newest) const {
   return std::max(1.0, median(std::move(sigmas2)) / kMedianChiSquare);
 }
 
+// Median squared errors of the newest turns, by the gyro and by constant velocity.
+std::pair<double, double> GyroAid::errors2(size_t newest) const {
+  std::vector<double> by_gyro2, by_going_on2;
+  for (size_t i = compared_.size() - std::min(newest, compared_.size()); i < compared_.size(); ++i)
+    by_gyro2.push_back(compared_[i].by_gyro2), by_going_on2.push_back(compared_[i].by_going_on2);
+  return {median(std::move(by_gyro2)), median(std::move(by_going_on2))};
+}
+
+bool GyroAid::is_worse(size_t newest, double times) const {
+  if (compared_.size() < kNewest) return false;
+  const auto [gyro2, going_on2] = errors2(newest);
+  return gyro2 > times * going_on2;
+}
+
 void GyroAid::follow(const SeenTurn& seen) {
   const std::optional<CameraTurn> shown = camera_turn(gyro_, *model_, seen.begin, seen.end);
   if (!shown) return;
@@ -136,20 +161,21 @@ void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen
                        beyond.dot(S.inverse() * beyond)});
   if (compared_.size() > kCompared) compared_.pop_front();
   if (compared_.size() < kCompared / 2) return;
-  std::vector<double> by_gyro2, by_going_on2;
-  for (const Compared& c : compared_) by_gyro2.push_back(c.by_gyro2), by_going_on2.push_back(c.by_going_on2);
-  const double gyro2 = median(std::move(by_gyro2)), going_on2 = median(std::move(by_going_on2));
-  if (!is_refused_ && gyro2 > kWorse * going_on2) {
-    is_refused_ = true;
-    report_once(formatted_degrees("not used: it contradicts the images, by %.2f degrees an image, and to go "
-                                  "on turning as before by %.2f",
-                                  std::sqrt(gyro2), std::sqrt(going_on2)),
-                &fault_);
-  } else if (is_refused_ && gyro2 < going_on2) {
-    is_refused_ = false;
-    fault_.clear();
-    reports_.push_back("gyro: agrees with the images again, and is used");
-  }
+  if (is_worse(kCompared, kWorse)) refuse();
+}
+
+// It is calibrated anew: it may have been moved, or a file said something else.
+void GyroAid::refuse() {
+  const auto [gyro2, going_on2] = errors2(kCompared);
+  report_once(formatted_degrees("not used: it contradicts the images, by %.2f degrees an image, and to go on "
+                                "turning as before by %.2f",
+                                std::sqrt(gyro2), std::sqrt(going_on2)),
+              &fault_);
+  model_.reset();
+  was_observed_ = false;
+  turns_.clear();
+  compared_.clear();
+  next_calibration_ = kFirstTurns;
 }
 
 std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
@@ -170,6 +196,7 @@ std::vector<std::string> GyroAid::take_reports() { return std::exchange(reports_
 
 std::string GyroAid::statement() const {
   if (!has_samples()) return {};
+  if (!stuck_.empty()) return stuck_;
   if (!fault_.empty()) return fault_;
   if (!model_) return "not observed: the camera has not turned enough";
   if (!model_->is_observed())

@@ -29,6 +29,11 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!first_) first_ = sample.time;
   const double t = seconds(sample.time);
   if (!sample.rate.allFinite() || (!samples_.empty() && t <= samples_.back().t)) return false;
+  if (!samples_.empty() && unit_ * sample.rate == samples_.back().rate) {
+    repeated_s_ = t - samples_.back().t;
+    return false;
+  }
+  repeated_s_ = 0;
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();

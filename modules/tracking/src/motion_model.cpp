@@ -24,8 +24,9 @@ std::vector<SE3> MotionModel::starts() const {
   if (known_) {
     const double frames = std::max(1, frames_since_);
     std::vector<SE3> starts;
-    for (const double times : {1.0, 0.0, 0.5, 2.0})
+    for (const double times : {1.0, 0.0, 0.5})
       starts.push_back(SE3::exp(motion_since(times * frames)) * T_last_ref_);
+    starts.push_back(SE3::exp(velocity_.log() * frames) * T_last_ref_);  // whatever the sensor says
     return starts;
   }
   if (frames_since_ <= 1) return motion_hypotheses(T_last_ref_, velocity_);

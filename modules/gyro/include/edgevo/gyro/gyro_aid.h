@@ -5,10 +5,11 @@
 //
 // What it is worth is measured: the rotations that it predicts are compared with those of the images and with
 // a camera that goes on turning as before. Errors beyond its covariance make the covariance larger; a gyro
-// that is worse than to go on turning is not used until it is better.
+// that is worse than to go on turning is not used, and calibrated anew.
 #include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "edgevo/gyro/gyro_calibration.h"
@@ -24,7 +25,7 @@ class GyroAid {
   /// Takes the next sample.
   void add(const GyroSample& sample);
   /// Whether there were any.
-  bool has_samples() const { return gyro_.newest() > 0; }
+  bool has_samples() const { return gyro_.has_samples(); }
   /// Takes a rotation that the images alone show, whose pose is good. Cost: 10 microseconds; until the gyro
   /// is calibrated now and then 10 ms.
   void see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R, const Eigen::Matrix3d& covariance);
@@ -38,7 +39,7 @@ class GyroAid {
   /// The gyro next to the camera; nothing before it is calibrated.
   const std::optional<GyroModel>& model() const { return model_; }
   /// Whether turn() may give something.
-  bool is_used() const { return model_ && !is_refused_; }
+  bool is_used() const;
   /// What was found since the last call, one line each.
   std::vector<std::string> take_reports();
   /// What is known at the end, in words: for the summary of a run. Empty without samples.
@@ -57,7 +58,10 @@ class GyroAid {
   void update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
+  void refuse();
   double factor(size_t newest) const;
+  std::pair<double, double> errors2(size_t newest) const;
+  bool is_worse(size_t newest, double times) const;
 
   GyroIntegrator gyro_;
   std::optional<GyroModel> model_;
@@ -65,7 +69,8 @@ class GyroAid {
   size_t next_calibration_;
   std::deque<Compared> compared_;
   std::optional<SeenTurn> last_;
-  bool is_refused_ = false, was_observed_ = false;
+  bool was_observed_ = false;
+  std::string stuck_;  // since when it repeats its rates
   std::string fault_;  // why it is not used; empty: none
   std::vector<std::string> reports_;
 };

@@ -40,13 +40,17 @@ struct GyroRotation {
 /// of the first sample.
 class GyroIntegrator {
  public:
-  /// Takes the next sample. One that is not after the one before, or not finite, is not used; returns whether
-  /// it was taken.
+  /// Takes the next sample. One that is not after the one before, is not finite, or repeats the rates before
+  /// it to the last bit, as a sensor does that hangs, is not used; returns whether it was.
   bool add(const GyroSample& sample);
+  /// For how long the rates have been the same, seconds.
+  double repeated_s() const { return repeated_s_; }
   /// Multiplies all rates from now on: the unit.
   void set_unit(double rad_per_unit);
   /// Seconds of a time from that of the first sample.
   double seconds(Timestamp time) const { return first_ ? seconds_between(*first_, time) : 0; }
+  /// Whether a sample was taken.
+  bool has_samples() const { return first_.has_value(); }
   /// Time of the newest sample; 0 without one.
   double newest() const { return samples_.empty() ? 0 : samples_.back().t; }
 
@@ -84,7 +88,7 @@ class GyroIntegrator {
   std::deque<Sample> samples_;
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
-  double unit_ = 1, noise_ = 0, step_ = 0;
+  double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0;
   int since_measured_ = 0;
 };
 
