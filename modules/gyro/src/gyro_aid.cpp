@@ -63,6 +63,17 @@ void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
   last_ = seen;
 }
 
+void GyroAid::images_changed() {
+  constexpr double kOff = rad(3);  // what rows that are not straight have turned gyros by
+  turns_.clear();
+  compared_.clear();
+  last_.reset();
+  next_calibration_ = kFirstTurns;
+  if (!model_) return;
+  model_->covariance.diagonal().head<6>().array() += kOff * kOff;
+  was_observed_ = false;
+}
+
 // Of many turns the smallest say least.
 void GyroAid::calibrate() {
   if (turns_.size() > kMostTurns) {

@@ -27,9 +27,8 @@ struct Agreement {
   int turns = 0;
   // Correlation with the best rotation, and with the best mirrored one.
   double proper = 0, mirrored = 0;
-  double times = 1;      // rates of the images over those of the gyro
-  Eigen::Matrix3d R;     // from the gyro to the camera
-  Eigen::Vector3d bias;  // rad/s
+  double times = 1;   // rates of the images over those of the gyro
+  Eigen::Matrix3d R;  // from the gyro to the camera
   double best() const { return std::max(proper, mirrored); }
 };
 
@@ -68,7 +67,6 @@ Agreement agreement_at(const GyroIntegrator& gyro, const std::vector<SeenTurn>& 
   a.mirrored = (s[0] + s[1] - sign * s[2]) / std::sqrt(seen * shown);
   a.times = (s[0] + s[1] + sign * s[2]) / shown;
   a.R = svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
-  a.bias = mean_shown - a.R.transpose() * mean_seen;
   return a;
 }
 
@@ -99,12 +97,18 @@ struct Normal {
   GyroCovariance H = GyroCovariance::Zero();
   Eigen::Matrix<double, kGyroUnknowns, 1> g = Eigen::Matrix<double, kGyroUnknowns, 1>::Zero();
   std::vector<double> squares;  // of the residuals, in sigmas
+  double together = 1;          // variance of sums of them over that of independent ones
 };
+
+// Turns whose errors are taken to go together: half a swing of a hand.
+constexpr int kTogether = 10;
 
 // `factor`: of the variances of turns.
 Normal linearise(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns, const GyroModel& model,
                  double factor) {
   Normal n;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double sums2 = 0;
   for (const SeenTurn& seen : turns) {
     const auto shown = camera_turn(gyro, model, seen.begin, seen.end);
     if (!shown) continue;
@@ -112,11 +116,15 @@ Normal linearise(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns,
     const Eigen::Vector3d r = beyond(seen, *shown);
     const double square = r.dot(information * r);
     n.squares.push_back(square);
+    sum += information.llt().matrixU() * r;
+    if (n.squares.size() % kTogether == 0) sums2 += sum.squaredNorm(), sum.setZero();
     const double w = huber_weight(std::sqrt(square / factor), kHuberSigmas) / factor;
     const GyroJacobian& J = shown->by_unknowns;
     n.H.noalias() += w * J.transpose() * information * J;
     n.g.noalias() += w * J.transpose() * (information * r);
   }
+  const size_t blocks = n.squares.size() / kTogether;
+  if (blocks > 0) n.together = sums2 / (3.0 * kTogether * double(blocks));
   return n;
 }
 
@@ -133,12 +141,14 @@ GyroModel refine_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& t
     const Normal n = linearise(gyro, turns, model, factor);
     if (n.squares.empty()) return start;
     factor = std::max(1.0, median(n.squares) / kMedianChiSquare);
+    // Errors that neighbours share, such as those of rows that are not straight yet, do not average out.
+    const double shared = std::max(1.0, n.together / factor);
     const GyroCovariance H = n.H + prior;
     const Eigen::Matrix<double, kGyroUnknowns, 1> step = H.ldlt().solve(n.g - prior * moved);
     if (!step.allFinite()) return start;
     model.move(step);
     moved += step;
-    model.covariance = H.inverse();
+    model.covariance = (n.H / shared + prior).inverse();
   }
   return model;
 }
@@ -165,7 +175,6 @@ GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns)
   GyroModel start = gyro_before_use();
   start.R_cam_gyro = Eigen::Quaterniond(a.R).normalized();
   start.offset_s = a.offset;
-  start.errors.bias = a.bias;
   fit.kind = GyroFit::Kind::kRelated;
   fit.model = refine_gyro(gyro, turns, start);
   return fit;

@@ -117,6 +117,7 @@ void Odometry::Impl::change_reference(const Frame& frame) {
   }
   front_end.change_reference(newest);
   if (front_end.correction() == before) return;
+  if (before.readout_s == 0 && front_end.correction().readout_s != 0) front_end.gyro().images_changed();
   forget_views();
   for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
 }

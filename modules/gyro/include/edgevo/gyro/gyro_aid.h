@@ -30,6 +30,10 @@ class GyroAid {
   /// is calibrated now and then 10 ms.
   void see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R, const Eigen::Matrix3d& covariance);
 
+  /// Says that the images show other rotations from now on: their rows are straightened, which they were not
+  /// before. How the gyro sits is found anew, and what was found counts little until then.
+  void images_changed();
+
   /// Rotation of the camera between two times; nothing while the gyro is not calibrated or is not used, or
   /// where samples are missing.
   std::optional<CameraTurn> turn(Timestamp begin, Timestamp end) const;
