@@ -7,7 +7,7 @@
 #include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "tests/support/temp_folder.h"
+#include "support/temp_folder.h"
 
 namespace edgevo::test {
 namespace {
@@ -65,8 +65,10 @@ TEST_F(GyroFileTest, ATripleAsLongAsGravityIsTheAcceleration) {
 TEST_F(GyroFileTest, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error_of("0.005 1 2\n"), HasSubstr("imu.txt, line 1: has 3 fields"));
   EXPECT_THAT(error_of("0.005 1 2 3\n0.01 1 x 3\n"), HasSubstr("line 2: 'x' is not a number"));
-  EXPECT_THAT(error_of("0.01 1 2 3\n0.005 1 2 3\n"), HasSubstr("line 2: its time is before"));
+  EXPECT_THAT(error_of("0.01 1 2 3\n0.02 1 2 3\n0.03 1 2 3\n0.025 1 2 3\n"),
+              HasSubstr("line 4: its time is before"));
   EXPECT_THAT(error_of("0.005 1 2 3\n0.01 1 2 1403636579758\n"), HasSubstr("no gyro measures"));
+  EXPECT_THAT(error_of("1 1 2 3\n2 1 2 3\n"), HasSubstr("not those of a gyro"));
   EXPECT_THAT(error_of("# nothing\n"), HasSubstr("fewer than two"));
 }
 

@@ -41,7 +41,7 @@ struct GyroRotation {
 class GyroIntegrator {
  public:
   /// Takes the next sample. One that is not after the one before, is not finite, or repeats the rates before
-  /// it to the last bit, as a sensor does that hangs, is not used; returns whether it was.
+  /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was.
   bool add(const GyroSample& sample);
   /// For how long the rates have been the same, seconds.
   double repeated_s() const { return repeated_s_; }
