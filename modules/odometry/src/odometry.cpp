@@ -65,7 +65,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
   front_end.set_correction(map.initial_camera().correction);
   if (p.health.corners) corners.emplace(), focal.emplace(front_end.rectification());
   if (o.forget) frames.forget();
-  if (o.gyro) front_end.gyro() = GyroAid(o.gyro);
+  if (o.gyro) front_end.gyro() = GyroAid(*o.gyro);
   if (o.realtime && o.on_schedule)
     concurrent = std::make_unique<ConcurrentBootstrap>(rectification, tracking_params(p), p.mapping.bootstrap,
                                                        o.seed, &map);
@@ -297,8 +297,10 @@ void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.T_world_odom = world.T_world_odom;
   newest_pose.world_changes = world.changes;
   newest_pose.scale_sigma = world.scale_sigma;
-  newest_pose.heading =
-      state.has_map() && !newest_pose.T_cam_map && !waits_for_map() ? front_end.heading() : std::nullopt;
+  newest_pose.heading.reset();
+  if (state.has_map() && !newest_pose.T_cam_map && !waits_for_map())
+    if (const std::optional<CameraTurn> turn = front_end.heading())
+      newest_pose.heading = {turn->R, turn->covariance};
   newest_pose.reference = state.has_map() ? front_end.reference() : nullptr;
   newest_pose.covariance = record.covariance;
 }
@@ -343,8 +345,8 @@ Odometry::~Odometry() = default;
 
 void Odometry::add_gyro(const GyroSample& sample) { impl_->front_end.add(sample); }
 GyroState Odometry::gyro() const {
-  GyroAid& gyro = impl_->front_end.gyro();
-  return {gyro.statement(), gyro.model()};
+  const GyroAid& gyro = impl_->front_end.gyro();
+  return {gyro.statement(), gyro.model() ? std::make_shared<const GyroModel>(*gyro.model()) : nullptr};
 }
 FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }

@@ -90,7 +90,9 @@ RunSession::RunSession(const RunRequest& request, const RunHost& host)
   odometry_.realtime = request_.realtime;
   odometry_.forget = request_.outputs.forget;
   odometry_.map_log = std::make_shared<MapLog>();
-  if (!request_.source.camera_file.empty()) odometry_.gyro = read_camera_gyro(request_.source.camera_file);
+  if (const std::string& file = request_.source.camera_file; !file.empty())
+    if (const std::optional<GyroModel> gyro = read_camera_gyro(file))
+      odometry_.gyro = std::make_shared<const GyroModel>(*gyro);
   choose_pinhole();
   read_kept_map();
   scaling_.emplace(scale_, *source_, rectification_of(source_->camera(), odometry_).target(),

@@ -59,11 +59,11 @@ void FrontEnd::begin_frame(Timestamp time) {
   motion_.know_rotation(known);
 }
 
-std::optional<Heading> FrontEnd::heading() const {
-  const std::optional<CameraTurn> turn = gyro_.turn(pose_time_, begun_);
+std::optional<CameraTurn> FrontEnd::heading() const {
+  std::optional<CameraTurn> turn = gyro_.turn(pose_time_, begun_);
   if (!turn || !reference_) return std::nullopt;
-  return Heading{turn->R * motion_.T_last_ref().rotation() * reference_->T_ref_world.rotation(),
-                 turn->covariance};
+  turn->R = turn->R * motion_.T_last_ref().rotation() * reference_->T_ref_world.rotation();
+  return turn;
 }
 
 std::optional<RotationPrior> FrontEnd::turn_since_reference(Timestamp time) const {

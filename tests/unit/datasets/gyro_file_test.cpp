@@ -68,7 +68,7 @@ TEST_F(GyroFileTest, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(error_of("0.01 1 2 3\n0.02 1 2 3\n0.03 1 2 3\n0.025 1 2 3\n"),
               HasSubstr("line 4: its time is before"));
   EXPECT_THAT(error_of("0.005 1 2 3\n0.01 1 2 1403636579758\n"), HasSubstr("no gyro measures"));
-  EXPECT_THAT(error_of("1 1 2 3\n2 1 2 3\n"), HasSubstr("not those of a gyro"));
+  EXPECT_THAT(error_of("0.15 1 2 3\n0.3 1 2 3\n"), HasSubstr("not those of a gyro"));
   EXPECT_THAT(error_of("# nothing\n"), HasSubstr("fewer than two"));
 }
 

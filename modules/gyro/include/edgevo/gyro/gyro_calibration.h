@@ -27,7 +27,7 @@ struct SeenTurn {
 
 /// What a comparison of gyro and images showed.
 struct GyroFit {
-  /// What was found.
+  /// What may be found.
   enum class Kind {
     /// The camera has not turned enough for an answer.
     kUnknown,
@@ -40,6 +40,7 @@ struct GyroFit {
     /// The camera turned, and the gyro did not turn with it.
     kUnrelated,
   };
+  /// What was found.
   Kind kind = Kind::kUnknown;
   /// The gyro next to the camera, of kRelated.
   GyroModel model;

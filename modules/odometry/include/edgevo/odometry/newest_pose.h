@@ -10,11 +10,18 @@
 #include "edgevo/core/se3.h"
 #include "edgevo/core/timestamp.h"
 #include "edgevo/core/tracking_state.h"
-#include "edgevo/tracking/heading.h"
 
 namespace edgevo {
 
 struct Reference;  // alignment/reference.h
+
+/// Where a camera looks whose pose is not known.
+struct Heading {
+  /// Rotation from the frame of the keyframe poses to the camera.
+  Eigen::Quaterniond R_cam_map = Eigen::Quaterniond::Identity();
+  /// Covariance of w in R <- exp(w) R, which grows with the time since the last pose.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
 
 /// A snapshot: what it points to never changes. Lengths are in the unit of the segment's map, which has its
 /// origin at the segment's first keyframe. Cheap to copy.

@@ -15,12 +15,13 @@
 #include "edgevo/core/image.h"
 #include "edgevo/core/records.h"
 #include "edgevo/edges/edge_detector_table.h"
-#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/odometry/newest_pose.h"
 #include "edgevo/odometry/odometry_params.h"
 
 namespace edgevo {
 
+struct GyroModel;     // gyro/gyro_model.h
+struct GyroSample;    // core/gyro_sample.h
 class Map;            // map/map.h
 class MapLog;         // map/map_log.h
 class Rectification;  // core/rectification.h
@@ -34,8 +35,8 @@ class Plane;  // edges/plane.h
 struct GyroState {
   /// One line in words; empty without samples.
   std::string statement;
-  /// Rotation, offset, bias; nothing before they are found.
-  std::optional<GyroModel> model;
+  /// Rotation, offset, bias; null before they are found.
+  std::shared_ptr<const GyroModel> model;
 };
 
 /// How a run works; what it estimates is in OdometryParams.
@@ -60,8 +61,8 @@ struct OdometryOptions {
   /// newest frames only, with their live poses, and no keyframes, and producers of moves see only keyframes
   /// that still have matches. For a run whose events are kept elsewhere (results/recovery_log.h).
   bool forget = false;
-  /// What an earlier run has found of the gyro.
-  std::optional<GyroModel> gyro;
+  /// What an earlier run has found of the gyro; null: nothing.
+  std::shared_ptr<const GyroModel> gyro;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
   /// The stream that consumers read (map/map_log.h), of this odometry alone: another one needs its own. Null:

@@ -3,6 +3,7 @@
 // The samples of a source's gyro for whoever feeds an Odometry frame by frame; run_odometry() does.
 #include <utility>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/odometry/odometry.h"
 
 namespace edgevo {

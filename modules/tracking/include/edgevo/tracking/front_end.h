@@ -21,7 +21,6 @@
 #include "edgevo/tracking/corner_search.h"
 #include "edgevo/tracking/frame_tracker.h"
 #include "edgevo/tracking/frame_view.h"
-#include "edgevo/tracking/heading.h"
 #include "edgevo/tracking/keyframe_policy.h"
 #include "edgevo/tracking/map_coverage.h"
 #include "edgevo/tracking/motion_model.h"
@@ -68,8 +67,9 @@ class FrontEnd {
   void add(const GyroSample& sample) { gyro_.add(sample); }
   /// The gyro next to the camera.
   GyroAid& gyro() { return gyro_; }
-  /// Where a frame without a pose looks, by the gyro; nothing if none has followed it.
-  std::optional<Heading> heading() const;
+  /// Where a frame without a pose looks, by the gyro: the turn from the frame of the map to it, whose
+  /// covariance is that since the last pose. Nothing if no gyro has followed it.
+  std::optional<CameraTurn> heading() const;
   /// Must be called first for each frame, also for one that is skipped.
   void begin_frame(Timestamp time);
   /// Finds the edges of a frame; its rows are rectified for the expected motion if the frame before has a

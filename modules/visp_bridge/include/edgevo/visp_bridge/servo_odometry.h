@@ -16,6 +16,7 @@
 #include <mutex>
 #include <vector>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/time_order.h"
 #include "edgevo/core/worker.h"
 #include "edgevo/odometry/odometry.h"
