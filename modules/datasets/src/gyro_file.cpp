@@ -33,7 +33,9 @@ std::string first_comment(const std::string& text) {
   std::string line;
   std::getline(in, line);
   const size_t begin = line.find_first_not_of(" \t");
-  if (begin == std::string::npos || line[begin] != '#') return {};
+  const bool is_header = begin != std::string::npos &&
+                         (line[begin] == '#' || std::isalpha(static_cast<unsigned char>(line[begin])));
+  if (!is_header) return {};
   std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return std::tolower(c); });
   return line;
 }
@@ -77,6 +79,8 @@ Rows read_rows(const std::string& text, const std::string& path) {
   for (const TextLine& line : split_lines(text, path)) {
     const bool by_commas = line.text.find(',') != std::string::npos;
     const auto fields = split_fields(line.text, by_commas ? ',' : ' ');
+    if (rows.times.empty() && !fields[0].empty() && std::isalpha(static_cast<unsigned char>(fields[0][0])))
+      continue;  // names of the columns
     if (fields.size() < 4 || (fields.size() > 4 && fields.size() < 7))
       throw InputError(line.where, "has " + std::to_string(fields.size()) + " fields",
                        "write a time, three rates in rad/s and, if there are any, three accelerations");

@@ -18,8 +18,9 @@ namespace {
 constexpr size_t kFirstTurns = 30;
 constexpr double kTurnsFactor = 1.4;
 constexpr size_t kMostTurns = 300;  // of a fit: ten seconds
-// Turns that its worth is measured from: two seconds; and those that show at once that something changed.
-constexpr size_t kCompared = 60, kNewest = 7;
+// Turns that its worth is measured from: two seconds, since images are wrong for some frames more often than
+// gyros are.
+constexpr size_t kCompared = 60;
 // A gyro whose errors are twice those of going on as before is not used.
 constexpr double kWorse = 4;  // of squares
 // Change of the bias, rad/s over the root of a second: 0.05 degrees/s in a minute, as a MEMS gyro warms up.
@@ -48,8 +49,6 @@ void GyroAid::add(const GyroSample& sample) {
     stuck_.clear();
   }
 }
-
-bool GyroAid::is_used() const { return model_ && !is_worse(kNewest, kWorse); }
 
 void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
                   const Eigen::Matrix3d& covariance) {
@@ -101,6 +100,7 @@ void GyroAid::take_fit(const GyroFit& fit) {
     return take_fit(fit_gyro(gyro_, turns_));
   }
   model_.reset();
+  if (fit.kind == Kind::kPerhapsMirrored) return;
   if (fit.kind == Kind::kMirrored)
     return report_once("not used: its axes are mirrored, or two are swapped (left-handed)", &fault_);
   if (fit.kind == Kind::kOtherRates) {
@@ -117,27 +117,19 @@ void GyroAid::take_fit(const GyroFit& fit) {
   reports_.push_back("gyro: observed, " + describe(*model_));
 }
 
-// Variance of the errors over that of the covariance, in the newest turns; 1: it is right, or too large.
-double GyroAid::factor(size_t newest) const {
-  if (compared_.size() < kNewest) return 1;
+// Variance of the errors over that of the covariance; 1: it is right, or too large.
+double GyroAid::factor() const {
+  if (compared_.size() < kCompared / 2) return 1;
   std::vector<double> sigmas2;
-  for (size_t i = compared_.size() - std::min(newest, compared_.size()); i < compared_.size(); ++i)
-    sigmas2.push_back(compared_[i].sigmas2);
+  for (const Compared& c : compared_) sigmas2.push_back(c.sigmas2);
   return std::max(1.0, median(std::move(sigmas2)) / kMedianChiSquare);
 }
 
-// Median squared errors of the newest turns, by the gyro and by constant velocity.
-std::pair<double, double> GyroAid::errors2(size_t newest) const {
+// Median squared errors, by the gyro and by constant velocity.
+std::pair<double, double> GyroAid::errors2() const {
   std::vector<double> by_gyro2, by_going_on2;
-  for (size_t i = compared_.size() - std::min(newest, compared_.size()); i < compared_.size(); ++i)
-    by_gyro2.push_back(compared_[i].by_gyro2), by_going_on2.push_back(compared_[i].by_going_on2);
+  for (const Compared& c : compared_) by_gyro2.push_back(c.by_gyro2), by_going_on2.push_back(c.by_going_on2);
   return {median(std::move(by_gyro2)), median(std::move(by_going_on2))};
-}
-
-bool GyroAid::is_worse(size_t newest, double times) const {
-  if (compared_.size() < kNewest) return false;
-  const auto [gyro2, going_on2] = errors2(newest);
-  return gyro2 > times * going_on2;
 }
 
 void GyroAid::follow(const SeenTurn& seen) {
@@ -153,7 +145,7 @@ void GyroAid::update(const SeenTurn& seen, const CameraTurn& shown, const Eigen:
   model_->covariance.diagonal().segment<3>(3).array() += kBiasWalk * kBiasWalk * (seen.end - seen.begin);
   const GyroJacobian& J = shown.by_unknowns;
   const Eigen::Matrix3d S =
-      J * model_->covariance * J.transpose() + factor(kCompared) * (shown.noise + seen.covariance);
+      J * model_->covariance * J.transpose() + factor() * (shown.noise + seen.covariance);
   const Eigen::Matrix3d information = S.inverse();
   if (!(beyond.dot(information * beyond) < kOutlier)) return;
   const Eigen::Matrix<double, kGyroUnknowns, 3> K = model_->covariance * J.transpose() * information;
@@ -172,12 +164,12 @@ void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen
                        beyond.dot(S.inverse() * beyond)});
   if (compared_.size() > kCompared) compared_.pop_front();
   if (compared_.size() < kCompared / 2) return;
-  if (is_worse(kCompared, kWorse)) refuse();
+  const auto [gyro2, going_on2] = errors2();
+  if (gyro2 > kWorse * going_on2) refuse(gyro2, going_on2);
 }
 
 // It is calibrated anew: it may have been moved, or a file said something else.
-void GyroAid::refuse() {
-  const auto [gyro2, going_on2] = errors2(kCompared);
+void GyroAid::refuse(double gyro2, double going_on2) {
   report_once(formatted_degrees("not used: it contradicts the images, by %.2f degrees an image, and to go on "
                                 "turning as before by %.2f",
                                 std::sqrt(gyro2), std::sqrt(going_on2)),
@@ -192,7 +184,7 @@ void GyroAid::refuse() {
 std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
   if (!is_used()) return std::nullopt;
   std::optional<CameraTurn> found = camera_turn(gyro_, *model_, gyro_.seconds(begin), gyro_.seconds(end));
-  if (found) found->covariance *= std::max(factor(kCompared), factor(kNewest));
+  if (found) found->covariance *= factor();
   return found;
 }
 

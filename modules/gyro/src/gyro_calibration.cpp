@@ -15,6 +15,8 @@ namespace {
 
 // Logarithm of the odds from which something is sure: one in a million by chance.
 constexpr double kSure = 14;
+// One file of ten has left-handed axes, at most.
+constexpr double kRarelyMirrored = 2.3;
 // Clocks that are further apart are not searched for; nor is the offset finer than a sample first.
 constexpr double kMostOffsetS = 0.2, kOffsetStepS = 0.01;
 // A logarithm: rates of a gyro are off by a few per cent, those of degrees by 4.
@@ -164,8 +166,8 @@ GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns)
     if (a.turns >= kEnough && turns_enough(turns)) fit.kind = GyroFit::Kind::kUnrelated;
     return fit;
   }
-  if (log_odds(a.proper, a.mirrored, a.turns) > kSure) {
-    fit.kind = GyroFit::Kind::kMirrored;
+  if (const double odds = log_odds(a.proper, a.mirrored, a.turns); odds > kRarelyMirrored) {
+    fit.kind = odds > kSure ? GyroFit::Kind::kMirrored : GyroFit::Kind::kPerhapsMirrored;
     return fit;
   }
   if (std::abs(std::log(a.times)) > kSameRates) {

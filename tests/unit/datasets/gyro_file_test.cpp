@@ -52,6 +52,8 @@ TEST_F(GyroFileTest, ReadsBlanksAndRatesAlone) {
 TEST_F(GyroFileTest, BelievesAHeaderThatNamesDegreesOrAccelerationsFirst) {
   EXPECT_NEAR(read("# t, gyro_x [deg/s], y, z\n0.005,180,0,0\n0.01,0,0,0\n").samples[0].rate.x(), rad(180),
               1e-12);
+  EXPECT_NEAR(read("time,gyro_x(deg/s),gyro_y,gyro_z\n0.005,180,0,0\n0.01,0,0,0\n").samples[0].rate.x(),
+              rad(180), 1e-12);
   const GyroFile file = read("# t a.x a.y a.z w.x w.y w.z\n0.005 0 0 1 4 5 6\n0.01 0 0 1 4 5 6\n");
   EXPECT_EQ(file.samples[0].rate, Eigen::Vector3d(4, 5, 6));
 }

@@ -43,7 +43,7 @@ class GyroAid {
   /// The gyro next to the camera; nothing before it is calibrated.
   const std::optional<GyroModel>& model() const { return model_; }
   /// Whether turn() may give something.
-  bool is_used() const;
+  bool is_used() const { return model_.has_value(); }
   /// What was found since the last call, one line each.
   std::vector<std::string> take_reports();
   /// What is known at the end, in words: for the summary of a run. Empty without samples.
@@ -62,10 +62,9 @@ class GyroAid {
   void update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
-  void refuse();
-  double factor(size_t newest) const;
-  std::pair<double, double> errors2(size_t newest) const;
-  bool is_worse(size_t newest, double times) const;
+  void refuse(double gyro2, double going_on2);
+  double factor() const;
+  std::pair<double, double> errors2() const;
 
   GyroIntegrator gyro_;
   std::optional<GyroModel> model_;

@@ -35,6 +35,8 @@ struct GyroFit {
     kRelated,
     /// It turns with the camera, but its axes are left-handed: one is mirrored, or two are swapped.
     kMirrored,
+    /// The same, but it is not sure yet.
+    kPerhapsMirrored,
     /// It turns with the camera at other rates: `times` those of the images.
     kOtherRates,
     /// The camera turned, and the gyro did not turn with it.
