@@ -88,7 +88,11 @@ class RawlogSource : public ImageSource {
     return read_vehicle_track(path_, sensor, times());
   }
   GyroReadings gyro_readings() const override {
-    if (survey_.complete && survey_.others.count("CObservationIMU") == 0) return {};
+    // With or without its namespace.
+    const bool has_imu = std::any_of(survey_.others.begin(), survey_.others.end(), [](const auto& other) {
+      return other.first.find("CObservationIMU") != std::string::npos;
+    });
+    if (survey_.complete && !has_imu) return {};
     return gyro_of(read_rawlog_imus(path_, times()));
   }
   std::vector<std::pair<std::string, std::string>> details() const override;
