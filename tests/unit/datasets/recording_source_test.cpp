@@ -252,10 +252,9 @@ void add_sensors(Bag* bag) {
 int gyro_samples(const ImageSource& source) {
   const GyroReadings readings = source.gyro_readings();
   int count = 0;
-  while (const auto sample = readings ? readings() : std::nullopt) {
+  for (; const auto sample = readings ? readings() : std::nullopt; ++count) {
     EXPECT_EQ(sample->rate, Eigen::Vector3d(0.1, 0.2, 0.3));
     EXPECT_EQ(sample->time.ticks, (kFirstNs + count * kStepNs + kStepNs / 2) / 100);
-    ++count;
   }
   return count;
 }
