@@ -6,6 +6,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/sequence_output/rendered_sequence.h"
 #include "edgevo/simulation/scene.h"
+#include "edgevo/simulation/simulated_gyro.h"
 #include "edgevo/simulation/traffic.h"
 #include "option_checks.h"
 #include "sequence_host.h"
@@ -89,6 +90,11 @@ void add_simulate_command(CLI::App& app, Action* action) {
                    "exposure time, seconds, which blurs along the true motion (default: that of the scene, "
                    "usually 0)")
       ->check(number_from_zero());
+  command
+      ->add_option("--gyro", options->gyro,
+                   "samples of a gyro next to the camera, with its errors, as imu.txt and gyro_truth.yaml: " +
+                       listed(gyro_kinds()))
+      ->check(CLI::IsMember(gyro_kinds()));
   add_mount(*command, &options->mount);
   CLI::Option* own_part =
       command->add_option("--own-part", options->own_part.own_part,

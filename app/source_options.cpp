@@ -61,6 +61,11 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
                   "assumes a lens without distortion")
       ->check(number_between(1, 179))
       ->excludes(camera);
+  command
+      .add_option("--gyro", options->gyro,
+                  "samples of a gyro next to the camera: FILE (EuRoC's data.csv, DM-VIO's imu.txt), or off "
+                  "(default: that of the source, or next to it)")
+      ->check(path_given());
   command.add_option("--sensor", options->sensor_label,
                      "camera to use, if the source or --camera has several");
   command.add_option("--topic", options->topic, "images of a ROS bag to use, if several topics have some");

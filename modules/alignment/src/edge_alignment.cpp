@@ -4,11 +4,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "edge_sums.h"
 #include "edgevo/alignment/edge_match.h"
 #include "edgevo/alignment/projection.h"
 #include "edgevo/core/robust.h"
+#include "edgevo/core/rotation_vector.h"
 
 namespace edgevo {
 namespace {
@@ -152,32 +154,49 @@ class EdgeCost {
   mutable MatchedEdges matched_;  // buffer, reused by all evaluations
 };
 
-// Edge cost with a prior on the translation.
-class CostWithPrior {
+// Each residual in pixels has weight 1, but points of one edge share its error.
+constexpr double kVarianceOfResidual = 4;  // px^2
+// Sigmas from which a rotation counts as far off.
+constexpr double kTurnHuber = 3;
+
+// Edge cost with priors on the translation and the rotation; null: none.
+class CostWithPriors {
  public:
-  CostWithPrior(const EdgeCost& edges, const TranslationPrior& prior, size_t points)
-      : edges_(edges),
-        T_expected_inverse_(prior.T_expected.inverse()),
-        points_(double(std::max<size_t>(1, points))) {
-    // Each residual in pixels has weight 1, but points of one edge share its error.
-    constexpr double kVarianceOfResidual = 4;  // px^2
-    weight_ = kVarianceOfResidual * prior.sigma.cwiseAbs2().cwiseInverse();
+  CostWithPriors(const EdgeCost& edges, const TranslationPrior* prior, const RotationPrior* turn,
+                 size_t points)
+      : edges_(edges), turn_(turn), points_(double(std::max<size_t>(1, points))) {
+    if (!prior) return;
+    T_expected_inverse_ = prior->T_expected.inverse();
+    weight_ = kVarianceOfResidual * prior->sigma.cwiseAbs2().cwiseInverse();
   }
 
   NormalEquations operator()(const SE3& T_cur_ref) const {
     NormalEquations eq = edges_(T_cur_ref);
-    const Eigen::Vector3d v = (T_cur_ref * T_expected_inverse_).log().head<3>();
-    eq.H.diagonal().head<3>() += weight_;
-    eq.b.head<3>() += weight_.cwiseProduct(v);
-    eq.stats.cost += 0.5 * weight_.dot(v.cwiseAbs2()) / points_;  // per point, like the edge cost
+    if (weight_) add_translation(T_cur_ref, &eq);
+    if (turn_) add_rotation(T_cur_ref, &eq);
     return eq;
   }
 
  private:
+  // Costs are per point, like the edge cost.
+  void add_translation(const SE3& T_cur_ref, NormalEquations* eq) const {
+    const Eigen::Vector3d v = (T_cur_ref * T_expected_inverse_).log().head<3>();
+    eq->H.diagonal().head<3>() += *weight_;
+    eq->b.head<3>() += weight_->cwiseProduct(v);
+    eq->stats.cost += 0.5 * weight_->dot(v.cwiseAbs2()) / points_;
+  }
+  void add_rotation(const SE3& T_cur_ref, NormalEquations* eq) const {
+    const Eigen::Matrix3d weight = turn_->weight(T_cur_ref);
+    eq->H.bottomRightCorner<3, 3>() += weight;
+    eq->b.tail<3>() += weight * turn_->beyond(T_cur_ref);
+    eq->stats.cost += turn_->cost(T_cur_ref) / points_;
+  }
+
   const EdgeCost& edges_;
+  const RotationPrior* turn_;
   SE3 T_expected_inverse_;
   double points_;
-  Eigen::Vector3d weight_;
+  std::optional<Eigen::Vector3d> weight_;
 };
 
 class PatchCost {
@@ -262,13 +281,28 @@ double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int l
 }
 
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
-                           const AlignmentParams& params, SE3* T_cur_ref, const TranslationPrior* prior) {
+                           const AlignmentParams& params, SE3* T_cur_ref, const TranslationPrior* prior,
+                           const RotationPrior* turn) {
   const EdgeCost edges(current, cloud, level, params);
   const double fx = current.levels[level].pinhole.fx;
-  if (!prior) return minimise(edges, kEdgeIterations, fx, kEdgeStepPx, T_cur_ref).stats;
-  return minimise(CostWithPrior(edges, *prior, cloud.points.size()), kEdgeIterations, fx, kEdgeStepPx,
+  if (!prior && !turn) return minimise(edges, kEdgeIterations, fx, kEdgeStepPx, T_cur_ref).stats;
+  return minimise(CostWithPriors(edges, prior, turn, cloud.points.size()), kEdgeIterations, fx, kEdgeStepPx,
                   T_cur_ref)
       .stats;
+}
+
+Eigen::Vector3d RotationPrior::beyond(const SE3& T_cur_ref) const {
+  return rotation_vector(T_cur_ref.rotation() * R_expected.conjugate());
+}
+
+Eigen::Matrix3d RotationPrior::weight(const SE3& T_cur_ref) const {
+  const Eigen::Vector3d w = beyond(T_cur_ref);
+  return kVarianceOfResidual * huber_weight(std::sqrt(w.dot(information * w)), kTurnHuber) * information;
+}
+
+double RotationPrior::cost(const SE3& T_cur_ref) const {
+  const Eigen::Vector3d w = beyond(T_cur_ref);
+  return kVarianceOfResidual * huber_cost(std::sqrt(w.dot(information * w)), kTurnHuber);
 }
 
 }  // namespace edgevo

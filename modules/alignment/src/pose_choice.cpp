@@ -86,12 +86,13 @@ PoseCandidate align(const FramePyramid& current, const ReferenceCloud& cloud, co
   PoseCandidate found;
   found.T_cur_ref = start_of_edges(current, cloud, h, params);
   found.has_prior = h.translation_sigma.has_value();
+  found.turn = h.turn;
   TranslationPrior prior;
   if (h.translation_sigma) prior = {h.T_cur_ref, *h.translation_sigma};
   const int coarsest = h.refinement == Refinement::kFinestEdges ? 0 : coarsest_edge_level(current);
   for (int level = coarsest; level >= 0; --level)
-    found.stats =
-        align_edges(current, cloud, level, params, &found.T_cur_ref, found.has_prior ? &prior : nullptr);
+    found.stats = align_edges(current, cloud, level, params, &found.T_cur_ref,
+                              found.has_prior ? &prior : nullptr, h.turn ? &*h.turn : nullptr);
   if (found.T_cur_ref.is_finite()) found.evidence = weigh_evidence(current, cloud, found.T_cur_ref, params);
   return found;
 }

@@ -31,9 +31,13 @@ void find_directions(double depth, TrackResult* r) {
   }
 }
 
-std::vector<PoseHypothesis> as_hypotheses(const std::vector<SE3>& starts) {
+std::vector<PoseHypothesis> as_hypotheses(const std::vector<SE3>& starts,
+                                          const std::optional<RotationPrior>& turn = std::nullopt) {
   std::vector<PoseHypothesis> hypotheses;
-  for (const SE3& start : starts) hypotheses.push_back({start});
+  for (const SE3& start : starts) {
+    hypotheses.push_back({start});
+    hypotheses.back().turn = turn;
+  }
   return hypotheses;
 }
 
@@ -61,9 +65,10 @@ std::vector<SE3> motion_hypotheses(const SE3& T_last_ref, const SE3& T_last_befo
           SE3::exp(2.0 * velocity) * T_last_ref, SE3::exp(rotation) * T_last_ref};
 }
 
-Proposer propose_starts(std::vector<SE3> starts, const PoseScorer& scorer) {
+Proposer propose_starts(std::vector<SE3> starts, const PoseScorer& scorer,
+                        const std::optional<RotationPrior>& turn) {
   return {ProposerKind::kStarts, [&scorer](const PoseCandidate& best) { return !scorer.fits(best); },
-          [starts = std::move(starts)] { return as_hypotheses(starts); }};
+          [starts = std::move(starts), turn] { return as_hypotheses(starts, turn); }};
 }
 
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,

@@ -11,6 +11,7 @@
 #include "prior.h"
 #include "residuals/corner_residual.h"
 #include "residuals/edge_residual.h"
+#include "residuals/turn_residual.h"
 #include "solvers.h"
 
 namespace edgevo::ba {
@@ -119,6 +120,26 @@ class CornerCost : public ceres::SizedCostFunction<1, 7, 7> {
   const BaCornerPair& pair_;
 };
 
+class TurnCost : public ceres::SizedCostFunction<3, 7, 7> {
+ public:
+  explicit TurnCost(const BaTurn& turn) : turn_(turn), root_(turn.information.llt().matrixU()) {}
+
+  bool Evaluate(double const* const* x, double* residuals, double** jacobians) const override {
+    const SE3 T_to_from = to_se3(x[0]) * to_se3(x[1]).inverse();
+    Eigen::Map<Eigen::Vector3d>(residuals, 3) = root_ * turn_residual(T_to_from, turn_);
+    if (!jacobians) return true;
+    Eigen::Matrix<double, 3, 6> J_to = Eigen::Matrix<double, 3, 6>::Zero();
+    J_to.rightCols<3>() = root_;
+    if (jacobians[0]) write_pose_jacobian(J_to, jacobians[0]);
+    if (jacobians[1]) write_pose_jacobian(-J_to * T_to_from.adjoint(), jacobians[1]);
+    return true;
+  }
+
+ private:
+  const BaTurn& turn_;
+  Eigen::Matrix3d root_;
+};
+
 // E(xi) = 1/2 |A xi + c|^2 + offset with A = sqrt(D) V^T, c = D^-1/2 V^T b from H = V D V^T.
 class PriorCost : public ceres::CostFunction {
  public:
@@ -175,10 +196,14 @@ class CeresSolve {
     add_poses();
     add_points();
     add_corners();
+    add_turns();
     add_prior();
   }
 
-  bool empty() const { return packed_.observations.empty() && problem_.corners.empty() && prior_.empty(); }
+  bool empty() const {
+    return packed_.observations.empty() && problem_.corners.empty() && problem_.turns.empty() &&
+           prior_.empty();
+  }
   BaResult run();
   const State& state() const { return state_; }
   const PackedProblem& packed() const { return packed_; }
@@ -192,6 +217,7 @@ class CeresSolve {
   void add_poses();
   void add_points();
   void add_corners();
+  void add_turns();
   void add_prior();
   ceres::Solver::Options solver_options() const;
 
@@ -242,6 +268,12 @@ void CeresSolve::add_corners() {
   for (const BaCornerPair& c : problem_.corners)
     ceres_->AddResidualBlock(new CornerCost(problem_.pinhole, c), &huber_, pose_blocks_[c.to].data(),
                              pose_blocks_[c.from].data());
+}
+
+void CeresSolve::add_turns() {
+  for (const BaTurn& t : problem_.turns)
+    ceres_->AddResidualBlock(new TurnCost(t), &huber_, pose_blocks_[t.to].data(),
+                             pose_blocks_[t.from].data());
 }
 
 void CeresSolve::add_prior() {

@@ -11,6 +11,7 @@
 #include "normal_equations.h"
 #include "prior.h"
 #include "residuals/corner_residual.h"
+#include "residuals/turn_residual.h"
 
 namespace edgevo {
 namespace {
@@ -50,14 +51,18 @@ Quadratic eliminate_points(const BaProblem& problem, const BaOptions& options,
   return q;
 }
 
-// Information of the corners that a pose shares with others, in the same perturbations.
-void add_corners(const BaProblem& problem, int pose, const BaOptions& options, Quadratic* q) {
+// Information of the corners and turns that a pose shares with others, in the same perturbations.
+void add_pairs(const BaProblem& problem, int pose, const BaOptions& options, Quadratic* q) {
   std::vector<BaCornerPair> shared;
   for (const BaCornerPair& c : problem.corners)
     if (c.from == pose || c.to == pose) shared.push_back(c);
   std::vector<SE3> poses;
   for (const BaPose& p : problem.poses) poses.push_back(p.T_cam_world);
   q->constant += CornerTerm(problem.pinhole, shared, options.huber_width).add(poses, &q->H, &q->b);
+  std::vector<BaTurn> turns;
+  for (const BaTurn& t : problem.turns)
+    if (t.from == pose || t.to == pose) turns.push_back(t);
+  q->constant += TurnTerm(turns, options.huber_width).add(poses, &q->H, &q->b);
 }
 
 // From perturbations delta of the current poses to xi = log(T linearization^-1):  delta = J_l(xi_now) (xi -
@@ -272,7 +277,7 @@ BaPrior marginalize(const BaProblem& problem, int pose_id, const BaOptions& opti
   const Eigen::VectorXd xi_prior = old.displacement(poses);
 
   Quadratic q = eliminate_points(problem, options, *drop_points);
-  add_corners(problem, leaving, options, &q);
+  add_pairs(problem, leaving, options, &q);
   move_linearization(old, xi_prior, &q);
   if (!old.empty()) add_prior(*problem.prior, old.pose_index(), &q);
   // A fixed pose in the old prior keeps its current value, which may differ from the linearisation point.

@@ -45,6 +45,12 @@ void check_corners(const BaProblem& problem) {
       malformed("a corner is not seen in two poses", "from and to are two indices into poses");
 }
 
+void check_turns(const BaProblem& problem) {
+  for (const BaTurn& t : problem.turns)
+    if (!is_index(t.from, problem.poses.size()) || !is_index(t.to, problem.poses.size()) || t.from == t.to)
+      malformed("a turn is not between two poses", "from and to are two indices into poses");
+}
+
 void check_prior(const BaProblem& problem) {
   const BaPrior& prior = *problem.prior;
   const auto n = static_cast<Eigen::Index>(6 * prior.pose_ids.size());
@@ -90,6 +96,7 @@ void check_problem(const BaProblem& problem) {
   check_points(problem);
   check_observations(problem);
   check_corners(problem);
+  check_turns(problem);
   if (problem.prior) check_prior(problem);
 }
 
@@ -102,6 +109,8 @@ bool is_finite(const BaProblem& problem) {
     if (!is_finite(o)) return false;
   for (const BaCornerPair& corner : problem.corners)
     if (!is_finite(corner)) return false;
+  for (const BaTurn& t : problem.turns)
+    if (!t.R_to_from.coeffs().allFinite() || !t.information.allFinite()) return false;
   const Pinhole& c = problem.pinhole;
   return std::isfinite(c.fx) && std::isfinite(c.fy) && std::isfinite(c.cx) && std::isfinite(c.cy) &&
          (!problem.prior || is_finite(*problem.prior));
@@ -110,7 +119,8 @@ bool is_finite(const BaProblem& problem) {
 bool has_unknowns(const BaProblem& problem) {
   bool free_pose = false;
   for (const BaPose& pose : problem.poses) free_pose |= !pose.fixed;
-  if (free_pose && (!problem.observations.empty() || !problem.corners.empty() || problem.prior)) return true;
+  const bool has_pairs = !problem.corners.empty() || !problem.turns.empty();
+  if (free_pose && (!problem.observations.empty() || has_pairs || problem.prior)) return true;
   for (const BaObservation& o : problem.observations)
     if (!problem.points[o.point].fixed) return true;
   return false;

@@ -47,6 +47,12 @@ BaProblem problem_of_host(const BaProblem& problem, const ProblemIndex& index, i
     c.to -= host;
     part.corners.push_back(c);
   }
+  for (BaTurn t : problem.turns) {
+    if (!has(t.from) || !has(t.to)) continue;
+    t.from -= host;
+    t.to -= host;
+    part.turns.push_back(t);
+  }
   return part;
 }
 

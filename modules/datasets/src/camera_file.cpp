@@ -117,4 +117,10 @@ std::optional<CameraMount> read_camera_mount(const std::string& path) {
   return !dialect_of(text) && is_yaml(text, file) ? parse_yaml_mount(text, file) : std::nullopt;
 }
 
+std::optional<GyroModel> read_camera_gyro(const std::string& path) {
+  if (is_sqlite_file(path)) return std::nullopt;
+  const std::string text = read_text_file(path);
+  return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_gyro(text, path) : std::nullopt;
+}
+
 }  // namespace edgevo

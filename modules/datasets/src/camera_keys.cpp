@@ -76,7 +76,7 @@ const Keys& used_camera_keys() {
       joined(camera_matrix_keys(), distortion_keys(),
              {"intrinsics", "resolution", "image_width", "image_height", "width", "height",
               "distortion_model", "camera_model", "fisheye_model", "xi", "binning_x", "binning_y",
-              "roi.x_offset", "roi.y_offset", "roi.width", "roi.height", "mount"});
+              "roi.x_offset", "roi.y_offset", "roi.width", "roi.height", "mount", "gyro"});
   return keys;
 }
 

@@ -9,6 +9,7 @@
 
 #include "camera_forms.h"
 #include "edgevo/core/camera_mount.h"
+#include "edgevo/gyro/gyro_model.h"
 
 namespace edgevo {
 
@@ -44,5 +45,8 @@ CameraText camera_of_yaml_documents(const std::vector<YamlValues>& documents, co
 
 /// The mount in a calibration in YAML; nullopt if it has none. Throws InputError.
 std::optional<CameraMount> parse_yaml_mount(const std::string& text, const std::string& where);
+
+/// The gyro in a calibration in YAML; nullopt if it has none. Throws InputError.
+std::optional<GyroModel> parse_yaml_gyro(const std::string& text, const std::string& where);
 
 }  // namespace edgevo

@@ -10,6 +10,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/target_pinhole.h"
 #include "edgevo/core/time_order.h"
+#include "edgevo/datasets/gyro_file.h"
 #include "lens_text.h"
 
 namespace edgevo {
@@ -158,6 +159,8 @@ std::vector<std::pair<std::string, std::string>> describe(const ImageSource& sou
   else if (!has_truth_detail)
     lines.emplace_back("ground truth", "none");
   lines.insert(lines.end(), own.begin(), own.end());
+  const Lines gyro = describe_gyro(source.gyro_readings());
+  lines.insert(lines.end(), gyro.begin(), gyro.end());
   return lines;
 }
 

@@ -14,6 +14,7 @@
 #include "edgevo/datasets/subsample.h"
 #include "edgevo/mrpt_bridge/rawlog_source.h"
 #include "edgevo/recordings/recording.h"
+#include "gyro_source.h"
 #include "layouts/layout.h"
 #include "mounted_source.h"
 #include "recording_source.h"
@@ -199,7 +200,7 @@ std::unique_ptr<ImageSource> open_source(const SourceOptions& requested) {
     throw InputError("--fov", "is of no use: " + options.path + " has its own calibration",
                      "omit it, or give another calibration with --camera");
   refuse_camera_scale(options, *source);
-  source = with_mount(with_camera_doubt(std::move(source)), options);
+  source = with_gyro(with_mount(with_camera_doubt(std::move(source)), options), options);
   return scale_images(subsample(std::move(source), options), options.image_scale);
 }
 

@@ -9,6 +9,7 @@
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/gyro_of_sensors.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/time_order.h"
 #include "edgevo/mrpt_bridge/intensities.h"
@@ -129,6 +130,7 @@ class RecordingSource : public ImageSource {
   SensorReadings sensor_readings() const override {
     return has_sensors(*recording_) ? read_sensors(sensor_context()) : SensorReadings();
   }
+  GyroReadings gyro_readings() const override { return gyro_of(sensor_readings()); }
   std::vector<std::pair<std::string, std::string>> details() const override;
   Decisions decisions() const override { return decisions_; }
   std::vector<Timestamp> times() const override;

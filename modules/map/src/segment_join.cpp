@@ -42,8 +42,15 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   Eigen::Vector3d velocity = velocity_of(previous);
   if (sure.size() >= 2 && velocity.norm() > kStill) velocity *= velocity_of(sure).norm() / velocity.norm();
   const double gap = seconds_between(newest.time, beginning.first);
-  join.T_world_map.rigid = SE3(newest.T_world_cam.rotation(), here + gap * velocity);
+  Eigen::Quaterniond R_world_first = newest.T_world_cam.rotation();
   join.rotation_sigma = kOfDirection + kTurnPerSecond * gap;
+  Eigen::Vector3d on_the_way = velocity;
+  if (beginning.turn) {  // a camera that turns looks on along its way
+    R_world_first = R_world_first * beginning.turn->R.conjugate();
+    join.rotation_sigma = beginning.turn->sigma;
+    on_the_way = 0.5 * (velocity + R_world_first * (newest.T_world_cam.rotation().conjugate() * velocity));
+  }
+  join.T_world_map.rigid = SE3(R_world_first, here + gap * on_the_way);
   join.position_sigma = kOfSpeed * gap * velocity.norm();
   const double new_speed = speed_of(beginning);
   if (scale) {

@@ -238,6 +238,7 @@ void Mapper::add_keyframe(const TrackedFrame& frame, const SE3& T_cam_world) {
     keyframe.corners_from = frame.reference_id;
     keyframe.corners = frame.corners;
   }
+  keyframe.turn = frame.turn;
   window_.add(std::move(keyframe));
 }
 
@@ -354,6 +355,7 @@ void Mapper::seed_points(Keyframe* keyframe) {
 void Mapper::publish(const Keyframe& keyframe) {
   auto reference = std::make_shared<Reference>();
   reference->keyframe_id = keyframe.id;
+  reference->time = keyframe.time;
   reference->T_ref_world = keyframe.T_cam_world;
   reference->camera = calibration_.state();
   reference->moves = map_->moves();

@@ -37,6 +37,7 @@ Window::Adjustment Window::build_adjustment() {
     for (MapPoint& p : keyframes()[host].points)
       if (!p.observations.empty()) add_point(int(host), &p, &a);
   add_corners(&a.problem);
+  add_turns(&a.problem);
   apply_gauge(&a.problem);
   return a;
 }
@@ -70,6 +71,17 @@ void Window::add_corners(BaProblem* problem) const {
     for (const CornerPair& c : keyframes()[to].corners)
       problem->corners.push_back(
           {int(from - problem->pose_ids.begin()), int(to), c.from, c.to, 1 / kCornerSigmaPx});
+  }
+}
+
+void Window::add_turns(BaProblem* problem) const {
+  const std::vector<int>& ids = problem->pose_ids;
+  for (size_t to = 0; to < keyframes().size(); ++to) {
+    const std::optional<KeyframeTurn>& turn = keyframes()[to].turn;
+    if (!turn) continue;
+    const auto from = std::find(ids.begin(), ids.end(), turn->from);
+    if (from != ids.end())  // else its information is in the prior
+      problem->turns.push_back({int(from - ids.begin()), int(to), turn->R, turn->information});
   }
 }
 

@@ -7,6 +7,7 @@
 #include "edgevo/core/bad_frame.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/frame_checks.h"
+#include "edgevo/core/gyro_of_sensors.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/time_order.h"
@@ -16,6 +17,7 @@
 #include "edgevo/mrpt_bridge/rawlog_reader.h"
 #include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "rawlog_images_folder.h"
+#include "rawlog_imus.h"
 #include "rawlog_survey.h"
 #include "vehicle_track_reader.h"
 
@@ -84,6 +86,14 @@ class RawlogSource : public ImageSource {
   std::string label() const override { return chosen_.label; }
   VehicleTrack vehicle_track(VehicleSensor sensor) const override {
     return read_vehicle_track(path_, sensor, times());
+  }
+  GyroReadings gyro_readings() const override {
+    // With or without its namespace.
+    const bool has_imu = std::any_of(survey_.others.begin(), survey_.others.end(), [](const auto& other) {
+      return other.first.find("CObservationIMU") != std::string::npos;
+    });
+    if (survey_.complete && !has_imu) return {};
+    return gyro_of(read_rawlog_imus(path_, times()));
   }
   std::vector<std::pair<std::string, std::string>> details() const override;
   std::vector<InputDecision> decisions() const override {

@@ -16,6 +16,7 @@ class RawlogGrabber : public Grabber {
   const Camera& camera() const override { return source_->camera(); }
   std::optional<SE3> T_vehicle_cam() const override { return source_->T_vehicle_cam(); }
   std::vector<InputDecision> decisions() const override { return source_->decisions(); }
+  GyroReadings gyro_readings() const override { return source_->gyro_readings(); }
   std::optional<Grab> next() override {
     std::optional<Grab> grab(std::in_place);
     try {

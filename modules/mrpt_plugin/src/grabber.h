@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/image_source.h"
 
 namespace edgevo {
@@ -31,6 +32,8 @@ class Grabber {
   virtual std::optional<SE3> T_vehicle_cam() const = 0;
   /// What the input was taken to be (ImageSource::decisions()).
   virtual std::vector<InputDecision> decisions() const { return {}; }
+  /// ImageSource::gyro_readings().
+  virtual GyroReadings gyro_readings() const { return {}; }
   /// The next image; nullopt at the end of a finite source. Throws InputError when no image arrives.
   virtual std::optional<Grab> next() = 0;
 };

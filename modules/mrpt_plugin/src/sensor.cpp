@@ -115,6 +115,7 @@ void CEdgeVoSensor::open_odometry() {
   past_.emplace(grabber_->camera(), grabber_->T_vehicle_cam(), options, params);
   events_.emplace(options.map_log);
   odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);
+  gyro_ = GyroFeed(grabber_->gyro_readings());
 }
 
 void CEdgeVoSensor::doProcess() {
@@ -150,6 +151,7 @@ void CEdgeVoSensor::process(const Grab& grab) {
 // A recording must not end because of a single frame.
 FrameRecord CEdgeVoSensor::track(const Grab& grab) {
   constexpr int kSaid = 10;  // a clock that stands still would fill the screen
+  gyro_.feed_until(grab.frame.time, odometry_.get());
   if (grab.problem.empty()) return odometry_->process(grab.frame);
   if (left_out_++ < kSaid) say("frame " + std::to_string(grab.frame.index) + " left out: " + grab.problem);
   if (frames_ == left_out_ - 1) return {};  // no frame with a time came before

@@ -12,6 +12,7 @@
 #include "earlier_map.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/past_follower.h"
 #include "live_observations.h"
 #include "recording_tail.h"
@@ -60,6 +61,7 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   std::optional<PastFollower> past_;  // of odometry_
   std::optional<MapCursor> events_;
   std::unique_ptr<Odometry> odometry_;
+  GyroFeed gyro_;
   std::unique_ptr<LiveObservations> observations_;
   RecordingTail tail_;
   Timestamp newest_;  // of what was recorded

@@ -60,10 +60,12 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       front_end(rectification, tracking_params(p), {o.seed, o.detectors, o.realtime && o.on_schedule},
                 &history),
       map(rectification, p.edges, mapper_params(p), map_options(o), log),
-      bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames) {
+      bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames,
+                   [this](Timestamp a, Timestamp b) { return front_end.gyro().turn(a, b); }) {
   front_end.set_correction(map.initial_camera().correction);
   if (p.health.corners) corners.emplace(), focal.emplace(front_end.rectification());
   if (o.forget) frames.forget();
+  if (o.gyro) front_end.gyro() = GyroAid(*o.gyro);
   if (o.realtime && o.on_schedule)
     concurrent = std::make_unique<ConcurrentBootstrap>(rectification, tracking_params(p), p.mapping.bootstrap,
                                                        o.seed, &map);
@@ -76,6 +78,7 @@ FrameRecord Odometry::Impl::use(const Frame& frame, const ImageExposure& exposur
   const FrameRecord& record = waits_for_map() ? buffer_frame(frame, exposure) : follow(frame, exposure);
   if (!frame_published) frames.publish();
   record_newest_pose(record);
+  for (const std::string& line : front_end.gyro().take_reports()) report(frame, line);
   frames.run();
   return record;
 }
@@ -91,7 +94,7 @@ const FrameRecord& Odometry::Impl::follow(const Frame& frame, const ImageExposur
   if (state.has_map()) change_reference(frame);
   front_end.begin_frame(frame.time);
   const ArrivedFrame arrived = find_edges(frame, state.has_pose(), exposure);
-  if (state.tracks(arrived.record->evidence.edges)) follow_map(arrived);
+  if (state.tracks(arrived.record->evidence.edges, front_end.heading().has_value())) follow_map(arrived);
   if (!state.has_pose()) track_features(arrived, std::nullopt);
   if (state.bootstraps()) bootstrap_map(arrived);
   return *arrived.record;
@@ -114,6 +117,7 @@ void Odometry::Impl::change_reference(const Frame& frame) {
   }
   front_end.change_reference(newest);
   if (front_end.correction() == before) return;
+  if (before.readout_s == 0 && front_end.correction().readout_s != 0) front_end.gyro().images_changed();
   forget_views();
   for (const std::string& line : describe_changes(before, newest->camera)) report(frame, line);
 }
@@ -293,6 +297,10 @@ void Odometry::Impl::record_newest_pose(const FrameRecord& record) {
   newest_pose.T_world_odom = world.T_world_odom;
   newest_pose.world_changes = world.changes;
   newest_pose.scale_sigma = world.scale_sigma;
+  newest_pose.heading.reset();
+  if (state.has_map() && !newest_pose.T_cam_map && !waits_for_map())
+    if (const std::optional<CameraTurn> turn = front_end.heading())
+      newest_pose.heading = {turn->R, turn->covariance};
   newest_pose.reference = state.has_map() ? front_end.reference() : nullptr;
   newest_pose.covariance = record.covariance;
 }
@@ -335,6 +343,11 @@ Odometry::Odometry(const Camera& camera, const OdometryParams& params, const Odo
                                    for_size(params, rectification_of(camera, options).target()), options)) {}
 Odometry::~Odometry() = default;
 
+void Odometry::add_gyro(const GyroSample& sample) { impl_->front_end.add(sample); }
+GyroState Odometry::gyro() const {
+  const GyroAid& gyro = impl_->front_end.gyro();
+  return {gyro.statement(), gyro.model() ? std::make_shared<const GyroModel>(*gyro.model()) : nullptr};
+}
 FrameRecord Odometry::process(const Frame& frame) { return impl_->process(frame); }
 FrameView Odometry::frame_view() const { return impl_->frame_view(); }
 std::shared_ptr<const Plane<uint8_t>> Odometry::ego_mask() const {

@@ -41,8 +41,9 @@ Transition transition(Phase phase, Event event) {
   return {phase, Action::kNone};
 }
 
-bool OdometryState::tracks(int edges) {
+bool OdometryState::tracks(int edges, bool heading_is_known) {
   if (phase_ != Phase::kLost) return has_map();
+  if (heading_is_known) return shows_edges(edges, params_);
   return shows_edges(edges, params_) && relocalisation_tries_++ < max_relocalisation_tries_;
 }
 

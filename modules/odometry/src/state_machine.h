@@ -85,8 +85,8 @@ class OdometryState {
   int segment() const { return segment_; }
 
   /// Whether a frame with that many edge pixels is tracked. After a loss each such frame uses up one of a
-  /// limited number of tries.
-  bool tracks(int edges);
+  /// limited number of tries, unless its `heading_is_known`: it is then looked for where it must be.
+  bool tracks(int edges, bool heading_is_known = false);
   /// Whether the frame goes to the bootstrap after it was tracked.
   bool bootstraps() const { return phase_ != Phase::kTracking; }
 

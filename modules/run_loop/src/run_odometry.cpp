@@ -7,6 +7,7 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
+#include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
 #include "lenient_source.h"
 #include "load_control.h"
@@ -30,6 +31,7 @@ struct RunLoop {
   LenientSource& source;
   Odometry& odometry;
   PastFollower& past;
+  GyroFeed& gyro;
   const OdometryOptions& options;
   const Stop& stop;
   const OnFrame& on_frame;
@@ -57,6 +59,7 @@ FrameRecord process(const RunLoop& loop, const Frame& frame) {
   if (frame.image.empty()) return skip_bad_frame(loop, frame);
   FrameRecord record;
   loop.result->cpu_s += cpu_seconds([&] {
+    loop.gyro.feed_until(frame.time, &loop.odometry);
     record = loop.odometry.process(frame);
     loop.past.follow();
   });
@@ -142,9 +145,11 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   ImageSource& frames =
       requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
   RunResult result;
-  const RunLoop loop{lenient, odometry, past, options, stop, on_frame, [&] { return odometry.frame_view(); },
-                     &result};
+  GyroFeed gyro(source.gyro_readings());
+  const RunLoop loop{
+      lenient, odometry, past, gyro, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] {
+    result.gyro = odometry.gyro();
     result.cpu_s += cpu_seconds([&] {
       odometry.close();
       result.places = past.finish();

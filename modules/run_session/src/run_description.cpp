@@ -6,6 +6,7 @@
 
 #include "edgevo/core/closest_lens.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/describe.h"
 
 namespace edgevo {
@@ -59,6 +60,11 @@ void note_end(const RunResult& result, bool stopped, RunInfo* info) {
   info->interrupted = result.broken || stopped;
   if (const std::string places = statement_of(result.places); !places.empty())
     info->notes.emplace_back("places", places);
+  if (result.gyro.model && result.gyro.model->is_observed()) {
+    if (info->camera_file.empty()) info->camera_file = camera_yaml(info->camera, "");
+    info->camera_file += gyro_yaml(*result.gyro.model);
+  }
+  if (!result.gyro.statement.empty()) info->notes.emplace_back("gyro", result.gyro.statement);
   if (result.skipped == 0) return;
   info->notes.emplace_back("left_out", std::to_string(result.skipped) +
                                            " frame(s) whose images or times could not be used; the first: " +

@@ -6,6 +6,7 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/formatted.h"
 #include "edgevo/core/thread_priority.h"
+#include "edgevo/datasets/camera_file.h"
 #include "edgevo/datasets/describe.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
@@ -89,6 +90,9 @@ RunSession::RunSession(const RunRequest& request, const RunHost& host)
   odometry_.realtime = request_.realtime;
   odometry_.forget = request_.outputs.forget;
   odometry_.map_log = std::make_shared<MapLog>();
+  if (const std::string& file = request_.source.camera_file; !file.empty())
+    if (const std::optional<GyroModel> gyro = read_camera_gyro(file))
+      odometry_.gyro = std::make_shared<const GyroModel>(*gyro);
   choose_pinhole();
   read_kept_map();
   scaling_.emplace(scale_, *source_, rectification_of(source_->camera(), odometry_).target(),
@@ -245,6 +249,7 @@ void RunSession::print_end() const {
   const size_t frames = result_.run.frames.size();
   if (host_.stop()) print(formatted("interrupted after %zu frames", frames));
   if (const std::string places = statement_of(result_.places); !places.empty()) print(places);
+  if (!result_.gyro.statement.empty()) print("gyro: " + result_.gyro.statement);
   if (result_.skipped > 0)
     print(formatted("%d of %zu frames skipped; the first: ", result_.skipped, frames) +
           result_.first_skipped);

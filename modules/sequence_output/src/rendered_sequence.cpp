@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "edgevo/core/error.h"
+#include "edgevo/core/output_file.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/files/output_folder.h"
@@ -14,6 +15,7 @@
 #include "edgevo/simulation/folder_export.h"
 #include "edgevo/simulation/rendered_source.h"
 #include "edgevo/simulation/scene.h"
+#include "edgevo/simulation/simulated_gyro.h"
 #include "edgevo/simulation/survey_export.h"
 #include "edgevo/simulation/traffic.h"
 
@@ -41,6 +43,18 @@ std::string camera_text_for(const Camera& camera) {
   return camera.plumb_bob() ? std::string() : camera_yaml(camera, "");
 }
 
+// imu.txt next to the images, and the truth about it.
+void write_gyro(const SceneRenderer& renderer, const RenderRequest& options, const FolderExport& range) {
+  constexpr double kBeyondS = 0.5;  // both ends
+  const std::vector<Timestamp>& times = renderer.scene().times;
+  const size_t end = range.end < 0 ? times.size() : size_t(range.end);
+  const SimulatedGyro gyro =
+      simulate_gyro(renderer.scene().T_scene_cam_at, times[size_t(range.begin)].seconds() - kBeyondS,
+                    times[end - 1].seconds() + kBeyondS, options.gyro, renderer.scene().seed);
+  write_file(options.out + "/imu.txt", imu_text(gyro));
+  write_file(options.out + "/gyro_truth.yaml", gyro_truth_text(gyro, options.gyro));
+}
+
 void write_rendered_folder(const SceneRenderer& renderer, const RenderRequest& options, FolderExport range,
                            const ShowFramesDone& progress) {
   range.depth = options.depth;
@@ -54,6 +68,7 @@ void write_rendered_folder(const SceneRenderer& renderer, const RenderRequest& o
   }
   range.threads = int(std::max(1u, std::thread::hardware_concurrency()));
   export_folder(renderer, options.out, range, progress);
+  if (!options.gyro.empty()) write_gyro(renderer, options, range);
 }
 
 std::string write_rendered_rawlog(const std::shared_ptr<const SceneRenderer>& renderer,
@@ -92,6 +107,8 @@ void write_rendered_survey(const RenderRequest& options, const FolderExport& ran
   if (options.depth || options.correspondences)
     throw InputError(options.out, "a survey of Symphony Lake holds neither depth nor correspondences",
                      "omit --layout, or these");
+  if (!options.gyro.empty())
+    throw InputError(options.out, "a survey of Symphony Lake holds no gyro", "omit --layout, or --gyro");
   if (has_foreign_bodies(options))
     throw InputError(options.out, "masks do not fit into a survey of Symphony Lake",
                      "omit --layout, or --own-part and --traffic");
@@ -117,6 +134,8 @@ void write_rendered(const RenderRequest& options, const SequenceHost& host) {
   FolderExport range;
   range.begin = options.begin, range.end = options.end;
   if (options.layout != "edgevo") return write_rendered_survey(options, range, host);
+  if (!options.gyro.empty() && names_rawlog(options.out))
+    throw InputError(options.out, "no gyro is written into a rawlog", "name a folder, or omit --gyro");
   if (has_foreign_bodies(options) && names_rawlog(options.out))
     throw InputError(options.out, "masks do not fit into a rawlog", "name a folder");
   if (options.correspondences && names_rawlog(options.out))

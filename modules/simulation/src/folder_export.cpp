@@ -150,7 +150,7 @@ void clear_sequence(const std::string& folder) {
   std::error_code ignored;
   if (!fs::exists(folder + "/SOURCE.md", ignored)) return;
   for (const char* name : {"images", "depth", "edges", "correspondences", "masks", "mask.png", "times.txt",
-                           "camera.txt", "groundtruth_tum.txt", "SOURCE.md"})
+                           "camera.txt", "groundtruth_tum.txt", "imu.txt", "gyro_truth.yaml", "SOURCE.md"})
     fs::remove_all(fs::path(folder) / name, ignored);
 }
 

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/tracking/bootstrapper.h"
 
+#include <cmath>
+#include <utility>
+
 #include "edgevo/core/trace.h"
 #include "edgevo/map/segment_join.h"
 
 namespace edgevo {
 
 Bootstrapper::Bootstrapper(const Rectification& rectification, const TrackingParams& params,
-                           const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames)
+                           const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames,
+                           TurnBetween turn)
     : pinhole_(rectification.target()),
       bootstrap_(rectification, bootstrap, seed),
       params_(params),
       map_(map),
-      frames_(frames) {}
+      frames_(frames),
+      turn_(std::move(turn)) {}
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid, true, now.rows.expected);
@@ -35,7 +40,11 @@ SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
   const std::vector<TimedPose> sure =
       frames_->run().last_trusted_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const BootstrapView &first = views.views.front(), &last = views.views.back();
-  return join_segment(segment, previous, sure, {first.time, last.time, last.T_cam_first}, scale);
+  MapBeginning beginning{first.time, last.time, last.T_cam_first, std::nullopt};
+  if (turn_ && !previous.empty())
+    if (const std::optional<CameraTurn> turn = turn_(previous.back().time, first.time))
+      beginning.turn = {turn->R, std::sqrt(turn->covariance.trace() / 3)};
+  return join_segment(segment, previous, sure, beginning, scale);
 }
 
 NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views,

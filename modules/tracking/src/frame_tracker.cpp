@@ -6,6 +6,7 @@
 
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/rotation_vector.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
@@ -26,7 +27,11 @@ Proposer propose_median_motion(const TrackingTask& task, const std::optional<Med
             return prior && !task.was_lost && !scorer.is_lost(best) && prior->is_unusual(best.T_cur_ref) &&
                    prior->is_apart(pinhole_of(task), task.reference.cloud, best.T_cur_ref);
           },
-          [&] { return std::vector<PoseHypothesis>{prior->hypothesis()}; }};
+          [&] {
+            std::vector<PoseHypothesis> hypotheses{prior->hypothesis()};
+            hypotheses.front().turn = task.turn;
+            return hypotheses;
+          }};
 }
 
 // Most depths are guesses, and points that are free along their edges fit a pose, right or wrong.
@@ -118,11 +123,37 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
     const ReferenceCloud shifted = shift_cloud(
         task.rows.cameras, task.reference.cloud, first.T_cur_ref, task.rows.row_time_s, task.rows.expected,
         measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
-    const PoseCandidate again =
-        align(task.pyramid, shifted, {first.T_cur_ref, PoseHypothesis::Refinement::kFinestEdges}, params);
+    PoseHypothesis hypothesis{first.T_cur_ref, PoseHypothesis::Refinement::kFinestEdges};
+    hypothesis.turn = first.turn;
+    const PoseCandidate again = align(task.pyramid, shifted, hypothesis, params);
     if (!scorer.is_lost(again)) return assess(task.pyramid, shifted, again, params);
   }
   return assess(task.pyramid, task.reference.cloud, first, params);
+}
+
+// ---- rotation by another sensor ----
+
+// The rotation that the edges alone would have: where their cost, of Hessian H, and the prior's, of weight W,
+// are least together at a rotation e beyond the prior's, the edges alone are least H^-1 W e further.
+RotationByImage rotation_by_image(const TrackResult& found) {
+  RotationByImage by_image{found.T_cur_ref.rotation(), found.covariance.bottomRightCorner<3, 3>()};
+  if (!found.turn) return by_image;
+  const Eigen::Matrix3d weight = found.turn->weight(found.T_cur_ref);
+  Matrix6d H = found.stats.information;
+  H.bottomRightCorner<3, 3>() -= weight;
+  Vector6d pull = Vector6d::Zero();
+  pull.tail<3>() = weight * found.turn->beyond(found.T_cur_ref);
+  const Eigen::Vector3d further = H.ldlt().solve(pull).tail<3>();
+  by_image.R_cur_ref = rotation_of(further) * by_image.R_cur_ref;
+  return by_image;
+}
+
+// Covariance of the pose with the prior as a measurement (Kalman's update).
+void add_turn(TrackResult* found) {
+  if (!found->turn) return;
+  const Eigen::Matrix<double, 6, 3> of_rotation = found->covariance.rightCols<3>();
+  const Eigen::Matrix3d both = of_rotation.bottomRows<3>() + found->turn->information.inverse();
+  found->covariance -= of_rotation * both.inverse() * of_rotation.transpose();
 }
 
 // ---- the steps that are the same with and without corners ----
@@ -143,6 +174,8 @@ void measure_pose(const TrackingTask& task, const PoseCandidate& chosen, const S
   const PoseCandidate pose = hold_to_corners(task, chosen, *track, scorer);
   track->twist = task.motion.twist(pose.T_cur_ref);
   track->result = track_rows(task, pose, track->twist, scorer);
+  track->by_image = rotation_by_image(track->result);
+  add_turn(&track->result);
   track->step_sigmas = step_sigmas(task.motion, task.median_step, track->result.T_cur_ref);
 }
 
@@ -161,7 +194,7 @@ Track track_frame(const TrackingTask& task) {
   const std::optional<MedianMotionPrior> prior = prior_of(task);
   const SupportScorer scorer = scorer_of(task, prior);
   const std::vector<Proposer> proposers{
-      propose_starts(starts, scorer),
+      propose_starts(starts, scorer, task.turn),
       propose_rotations(task.pyramid, cloud, starts.front(), scorer),
       propose_median_motion(task, prior, scorer),
       propose_corner_motion(task, scorer, &track),

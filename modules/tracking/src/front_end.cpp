@@ -6,6 +6,7 @@
 #include "edgevo/alignment/projection.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/rotation_vector.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
@@ -49,6 +50,42 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
     corners_in_parallel_ = std::make_unique<CornerSearch>(params, options.seed);
 }
 
+void FrontEnd::begin_frame(Timestamp time) {
+  motion_.begin_frame(time);
+  begun_ = time;
+  std::optional<KnownRotation> known;
+  if (const std::optional<CameraTurn> turn = gyro_.turn(pose_time_, time))
+    known = {rotation_vector(turn->R), gyro_.rate_of_points(time).value_or(Eigen::Vector3d::Zero())};
+  motion_.know_rotation(known);
+}
+
+std::optional<CameraTurn> FrontEnd::heading() const {
+  std::optional<CameraTurn> turn = gyro_.turn(pose_time_, begun_);
+  if (!turn || !reference_) return std::nullopt;
+  turn->R = turn->R * motion_.T_last_ref().rotation() * reference_->T_ref_world.rotation();
+  return turn;
+}
+
+std::optional<RotationPrior> FrontEnd::turn_since_reference(Timestamp time) const {
+  const std::optional<CameraTurn> turn = gyro_.turn(reference_->time, time);
+  if (!turn) return std::nullopt;
+  return RotationPrior{turn->R, turn->covariance.inverse()};
+}
+
+// What the images of this frame and the one before show of the rotation between them, for the gyro.
+void FrontEnd::see_turn(const ArrivedFrame& now, const Track& track) {
+  if (!gyro_.has_samples()) return;
+  const RotationByImage& to = track.by_image;
+  const bool is_good =
+      classify(now.record->evidence, params_.status) == PoseSupport::kGood && !track.is_zero_velocity;
+  if (is_good && turned_ && motion_.frames_since() <= 1) {
+    const Eigen::Quaterniond R = to.R_cur_ref * turned_->R_cur_ref.conjugate();
+    const Eigen::Matrix3d M = R.toRotationMatrix();
+    gyro_.see(pose_time_, now.frame.time, R, to.covariance + M * turned_->covariance * M.transpose());
+  }
+  turned_ = is_good ? std::make_optional(to) : std::nullopt;
+}
+
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure) {
   const RowRectification rows{row_time(builder_.correction()), expected_motion(has_pose), rectification_};
   builder_.set_old_rows(exposure.old_rows);
@@ -83,8 +120,17 @@ Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
 }
 
 TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, bool was_lost) {
-  return {*now.pyramid, scene,    motion_,  history_->median_step(),        keyframes_, params_,
-          now.rows,     was_lost, &random_, corners_in_parallel_ != nullptr};
+  return {*now.pyramid,
+          scene,
+          motion_,
+          history_->median_step(),
+          keyframes_,
+          params_,
+          now.rows,
+          was_lost,
+          &random_,
+          corners_in_parallel_ != nullptr,
+          turn_since_reference(now.frame.time)};
 }
 
 // Without what moves by itself; again, if something is found to.
@@ -140,6 +186,8 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 
 void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
   const SE3& T_cur_ref = track.result.T_cur_ref;
+  see_turn(now, track);
+  pose_time_ = now.frame.time;
   const bool stands = now.record->evidence.stands;
   history_->add({(T_cur_ref * reference_->T_ref_world).inverse(), motion_to(T_cur_ref),
                  motion_.frames_since(), stands, track.used_median_motion});
@@ -161,6 +209,8 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
   tracked.T_cam_ref = track.result.T_cur_ref;
   tracked.covariance = track.result.covariance;
   tracked.corners = std::move(track.corners);
+  if (const std::optional<RotationPrior>& turn = track.result.turn)
+    tracked.turn = {reference_->keyframe_id, turn->R_expected, turn->information};
   tracked.moving = bodies_.areas();
   tracked.return_to = decision.return_to;
   tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;
@@ -192,6 +242,8 @@ void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
     const auto old = newest->T_keyframe_world.find(reference_->keyframe_id);
     const SE3 T_old_world = old != newest->T_keyframe_world.end() ? old->second : reference_->T_ref_world;
     motion_.change_reference(T_old_world * newest->T_ref_world.inverse());
+    if (turned_)
+      turned_->R_cur_ref = turned_->R_cur_ref * (T_old_world * newest->T_ref_world.inverse()).rotation();
     stationary_.change_reference(T_old_world * newest->T_ref_world.inverse());
   }
   reference_ = std::move(newest);
@@ -200,6 +252,8 @@ void FrontEnd::change_reference(std::shared_ptr<const Reference> newest) {
 void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::optional<SE3>& motion) {
   reference_ = std::move(reference);
   motion_.restart(motion);
+  pose_time_ = begun_;
+  turned_.reset();
   history_->begin_map();
   keyframes_.restart();
   coverage_.restart();

@@ -8,12 +8,27 @@
 
 namespace edgevo {
 
+Vector6d MotionModel::motion_since(double times) const {
+  Vector6d xi = times * velocity_.log();
+  if (known_) xi.tail<3>() = known_->since_last;
+  return xi;
+}
+
 SE3 MotionModel::predict() const {
+  if (known_) return SE3::exp(motion_since(std::max(1, frames_since_))) * T_last_ref_;
   return frames_since_ <= 1 ? velocity_ * T_last_ref_
                             : SE3::exp(velocity_.log() * double(frames_since_)) * T_last_ref_;
 }
 
 std::vector<SE3> MotionModel::starts() const {
+  if (known_) {
+    const double frames = std::max(1, frames_since_);
+    std::vector<SE3> starts;
+    for (const double times : {1.0, 0.0, 0.5})
+      starts.push_back(SE3::exp(motion_since(times * frames)) * T_last_ref_);
+    starts.push_back(SE3::exp(velocity_.log() * frames) * T_last_ref_);  // whatever the sensor says
+    return starts;
+  }
   if (frames_since_ <= 1) return motion_hypotheses(T_last_ref_, velocity_);
   const Vector6d drift = velocity_.log() * double(frames_since_);
   const SE3 on = SE3::exp(drift) * T_last_ref_, half = SE3::exp(0.5 * drift) * T_last_ref_;
@@ -22,15 +37,17 @@ std::vector<SE3> MotionModel::starts() const {
 
 std::optional<Vector6d> MotionModel::expected_twist() const {
   if (!(velocity_s_ > 0)) return std::nullopt;
-  return Vector6d(velocity_.log() / velocity_s_);
+  Vector6d twist = velocity_.log() / velocity_s_;
+  if (known_) twist.tail<3>() = known_->rate;
+  return twist;
 }
 
 Vector6d MotionModel::twist(const SE3& T_cur_ref) const {
   if (!(seconds_since_ > 0) || !T_cur_ref.is_finite()) return Vector6d::Zero();
-  const Vector6d twist = motion_to(T_cur_ref).log() / seconds_since_;
-  const std::optional<Vector6d> expected = expected_twist();
-  if (frames_since_ > 1 || !expected) return twist;
-  return twist + 0.5 * (twist - *expected);
+  Vector6d twist = motion_to(T_cur_ref).log() / seconds_since_;
+  if (frames_since_ <= 1 && velocity_s_ > 0) twist += 0.5 * (twist - velocity_.log() / velocity_s_);
+  if (known_) twist.tail<3>() = known_->rate;
+  return twist;
 }
 
 double MotionModel::step_to(const SE3& T_cur_ref) const {

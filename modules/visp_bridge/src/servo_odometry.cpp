@@ -21,6 +21,20 @@ void ServoOdometry::push(const vpImage<unsigned char>& image, Timestamp time) {
 }
 void ServoOdometry::push(const vpImage<vpRGBa>& image, Timestamp time) { push(to_gray_image(image), time); }
 
+void ServoOdometry::push_gyro(const GyroSample& sample) {
+  const std::lock_guard<std::mutex> lock(gyro_mutex_);
+  gyro_.push_back(sample);
+}
+
+void ServoOdometry::add_gyro() {
+  std::vector<GyroSample> samples;
+  {
+    const std::lock_guard<std::mutex> lock(gyro_mutex_);
+    samples.swap(gyro_);
+  }
+  for (const GyroSample& sample : samples) odometry_.add_gyro(sample);
+}
+
 void ServoOdometry::try_process(Frame frame) {
   if (has_failed_) return;
   try {
@@ -40,6 +54,7 @@ void ServoOdometry::process(Frame frame) {
     odometry_.skip(frame, "left out: " + checked.problem);
     return;
   }
+  add_gyro();
   odometry_.process(frame);
   feed_->publish(odometry_.newest_pose());
 }

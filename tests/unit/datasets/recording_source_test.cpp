@@ -249,6 +249,16 @@ void add_sensors(Bag* bag) {
   }
 }
 
+int gyro_samples(const ImageSource& source) {
+  const GyroReadings readings = source.gyro_readings();
+  int count = 0;
+  for (; const auto sample = readings ? readings() : std::nullopt; ++count) {
+    EXPECT_EQ(sample->rate, Eigen::Vector3d(0.1, 0.2, 0.3));
+    EXPECT_EQ(sample->time.ticks, (kFirstNs + count * kStepNs + kStepNs / 2) / 100);
+  }
+  return count;
+}
+
 TEST(RecordingSource, OtherSensorsGiveTracks) {
   Bag bag;
   bag.add_images("/cam/image_raw");
@@ -266,6 +276,7 @@ TEST(RecordingSource, OtherSensorsGiveTracks) {
   EXPECT_NEAR(gps.positions[1].position.norm(), 10, 1e-6);
   EXPECT_EQ(gps.sensor_on_vehicle, Eigen::Vector3d(-1, 0, 3));
   EXPECT_EQ(source->vehicle_track(VehicleSensor::kRobotPose).positions[2].position.y(), 4);
+  EXPECT_EQ(gyro_samples(*source), kFrames);
 }
 
 TEST(RecordingSource, ImportKeepsTheSensors) {
@@ -293,6 +304,7 @@ TEST(RecordingSource, ImportKeepsTheSensors) {
   EXPECT_EQ(count["CObservationRobotPose"], kFrames);
   const VehicleTrack wheels = open_source(rawlog)->vehicle_track(VehicleSensor::kOdometry);
   EXPECT_EQ(wheels.positions.size(), size_t(kFrames));
+  EXPECT_EQ(gyro_samples(*open_source(rawlog)), kFrames);
 }
 
 TEST(RecordingSource, OptionsOfOtherSourcesAreRefused) {

@@ -49,6 +49,17 @@ TEST(SegmentJoin, ContinuesAtConstantVelocityAndEqualSpeed) {
   EXPECT_NEAR(join.T_world_map.scale, 2.0 / 6.0, 1e-9);
 }
 
+TEST(SegmentJoin, AMeasuredTurnIsThatOfTheJoin) {
+  const std::vector<TimedPose> previous = moving({0.2, 0, 0});
+  MapBeginning beginning = bootstrap(1.3, 3);
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.5, Vector3d::UnitY()));
+  beginning.turn = {turn, 0.01};
+  const SegmentPlaced join = join_segment(3, previous, {}, beginning, std::nullopt);
+  EXPECT_LT((join.T_world_map.rigid.rotation() * turn).angularDistance(kHeading), 1e-9);
+  EXPECT_EQ(join.rotation_sigma, 0.01);
+  EXPECT_NEAR(join.T_world_map.scale, 2.0 / 6.0, 1e-9);
+}
+
 TEST(SegmentJoin, AGivenScaleIsUsed) {
   const SegmentPlaced given = join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), 5.0);
   const SegmentPlaced guessed = join_segment(3, moving({0.2, 0, 0}), {}, bootstrap(1.3, 3), std::nullopt);

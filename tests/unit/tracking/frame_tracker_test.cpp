@@ -34,6 +34,14 @@ class FrameTracker : public ::testing::Test {
     motion.begin_frame(Timestamp::from_seconds(0.3));
   }
 
+  // With a measured rotation that is `off` by radians about y, within `sigma`.
+  Track track_turned(const FramePyramid& pyramid, double off, double sigma) {
+    TrackingTask task{pyramid, reference, motion, {}, keyframes, params, {}, false, &random};
+    task.turn = RotationPrior{(SE3::exp(twist(0, 0, 0, 0, off, 0)) * truth).rotation(),
+                              Eigen::Matrix3d::Identity() / (sigma * sigma)};
+    return track_frame(task);
+  }
+
   Track track(const FramePyramid& pyramid, bool was_lost = false, const RowRectification& rows = {}) {
     return track_frame({pyramid, reference, motion, {}, keyframes, params, rows, was_lost, &random});
   }
@@ -84,6 +92,28 @@ TEST_F(FrameTracker, AJumpIsFoundByRotationSearch) {
   const Track t = track(*scene.pyramid(turned.inverse()));
   EXPECT_FALSE(is_lost(support(t)));
   EXPECT_LT((t.result.T_cur_ref * turned.inverse()).angle(), 0.02);
+}
+
+TEST_F(FrameTracker, AMeasuredRotationCountsByItsCovariance) {
+  const auto pyramid = scene.pyramid(truth.inverse());
+  const Track alone = track(*pyramid);
+  const auto from_alone = [&](const Eigen::Quaterniond& R) {
+    return R.angularDistance(alone.result.T_cur_ref.rotation());
+  };
+  constexpr double kOff = 2e-3;
+  const Track vague = track_turned(*pyramid, kOff, 1), sure = track_turned(*pyramid, kOff, 1e-4);
+  EXPECT_LT(from_alone(vague.result.T_cur_ref.rotation()), 1e-4);
+  EXPECT_GT(from_alone(sure.result.T_cur_ref.rotation()), 0.5 * kOff);
+  EXPECT_LT(sure.result.covariance(4, 4), 1e-8);
+  // What the image shows is the same whatever was measured.
+  EXPECT_LT(from_alone(sure.by_image.R_cur_ref), 0.25 * kOff);
+  EXPECT_EQ(alone.by_image.R_cur_ref.coeffs(), alone.result.T_cur_ref.rotation().coeffs());
+}
+
+TEST_F(FrameTracker, AMeasuredRotationFarFromTheImageGivesWay) {
+  const Track t = track_turned(*scene.pyramid(truth.inverse()), 0.3, 1e-3);
+  EXPECT_EQ(support(t), PoseSupport::kGood);
+  EXPECT_LT((t.result.T_cur_ref * truth.inverse()).angle(), 0.02);
 }
 
 // Most of the map is turned by two degrees, and the edges follow it; the corners know better.

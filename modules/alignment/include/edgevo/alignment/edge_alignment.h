@@ -41,16 +41,33 @@ struct TranslationPrior {
   Eigen::Vector3d sigma;
 };
 
+/// Prior on the rotation, such as that of a gyro: w of R_cur_ref = exp(w) R_expected is zero within its
+/// covariance, or far off now and then.
+struct RotationPrior {
+  /// Predicted rotation, reference to current camera.
+  Eigen::Quaterniond R_expected = Eigen::Quaterniond::Identity();
+  /// Inverse of the covariance of w, rad^-2.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+
+  /// Rotation beyond the expected one: w.
+  Eigen::Vector3d beyond(const SE3& T_cur_ref) const;
+  /// Its weight in the equations of an alignment, px^2 rad^-2, at a pose.
+  Eigen::Matrix3d weight(const SE3& T_cur_ref) const;
+  /// Its cost at a pose, px^2.
+  double cost(const SE3& T_cur_ref) const;
+};
+
 /// Improves T_cur_ref on pyramid levels [finest, coarsest], coarsest first. Returns the final robust cost per
 /// usable patch (mean square of normalised differences; above 1: no overlap).
 double align_patches(const FramePyramid& current, const ReferenceCloud& cloud, int coarsest, int finest,
                      SE3* T_cur_ref);
 
 /// Improves T_cur_ref on one level by Eq. (edgeerror), plus Eq. (photometricerror) on level 0 if
-/// params.photometric is set. The result includes the cost and information of `prior`, if there is one.
+/// params.photometric is set. The result includes the costs and information of `prior` and `turn`, where
+/// there are any.
 AlignmentStats align_edges(const FramePyramid& current, const ReferenceCloud& cloud, int level,
                            const AlignmentParams& params, SE3* T_cur_ref,
-                           const TranslationPrior* prior = nullptr);
+                           const TranslationPrior* prior = nullptr, const RotationPrior* turn = nullptr);
 
 /// The objective of align_edges at one pose: truncated robust cost per point.
 double edge_cost(const FramePyramid& current, const ReferenceCloud& cloud, int level,

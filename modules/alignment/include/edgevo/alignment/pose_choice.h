@@ -42,6 +42,8 @@ struct PoseHypothesis {
   /// Standard deviation of the translation along each camera axis, unit of the map; empty: the alignment uses
   /// no prior.
   std::optional<Eigen::Vector3d> translation_sigma = std::nullopt;
+  /// Prior on the rotation; empty: none. Not with kLength and kNearLength.
+  std::optional<RotationPrior> turn = std::nullopt;
 };
 
 /// Aligned pose of a hypothesis.
@@ -52,8 +54,10 @@ struct PoseCandidate {
   AlignmentStats stats;
   /// Support by the image alone, without the prior.
   PoseEvidence evidence;
-  /// Whether the alignment used a prior.
+  /// Whether the alignment used a prior on the translation.
   bool has_prior = false;
+  /// The prior on the rotation that it used.
+  std::optional<RotationPrior> turn = {};
 };
 
 /// Aligns a hypothesis with the current frame. Cost for 1500 points at 1241x376: 3 ms with patches, 1 ms with

@@ -6,6 +6,7 @@
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/se3.h"
+#include "edgevo/core/timestamp.h"
 
 namespace edgevo {
 
@@ -14,6 +15,8 @@ namespace edgevo {
 struct Reference {
   /// Id of the keyframe.
   int keyframe_id = 0;
+  /// Timestamp of the keyframe's image.
+  Timestamp time;
   /// Pose of the keyframe in the segment's map.
   SE3 T_ref_world;
   /// Image and points of the keyframe.

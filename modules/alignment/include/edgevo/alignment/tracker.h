@@ -27,8 +27,9 @@ struct TrackResult : PoseCandidate {
 TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, const PoseCandidate& pose,
                    const AlignmentParams& params);
 
-/// Proposes the starts in turn until one fits.
-Proposer propose_starts(std::vector<SE3> starts, const PoseScorer& scorer);
+/// Proposes the starts one after the other until one fits, with a prior on the rotation if there is one.
+Proposer propose_starts(std::vector<SE3> starts, const PoseScorer& scorer,
+                        const std::optional<RotationPrior>& turn = std::nullopt);
 /// Proposes rotations around `T_predicted` (rotation_search.h) if no pose fits so far. Keeps references to
 /// all arguments but `T_predicted`.
 Proposer propose_rotations(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_predicted,

@@ -83,6 +83,17 @@ struct BaCornerPair {
   double inv_sigma = 2;
 };
 
+/// A rotation between two keyframes that another sensor measured, such as a gyro
+/// (src/residuals/turn_residual.h).
+struct BaTurn {
+  /// Indices into BaProblem::poses, different from each other.
+  int from = 0, to = 0;
+  /// Rotation from the camera `from` to the camera `to`.
+  Eigen::Quaterniond R_to_from = Eigen::Quaterniond::Identity();
+  /// Inverse of the covariance of w in R <- exp(w) R, rad^-2.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+};
+
 /// Information of marginalised keyframes and points about the remaining poses: the quadratic
 ///     E(xi) = 1/2 xi^T H xi + b^T xi + constant,   xi_i = log(T_cam_world_i  linearization_i^-1)
 /// Keyframes are identified by `pose_ids` (BaProblem::pose_ids); the linearisation point never moves (first
@@ -115,6 +126,8 @@ struct BaProblem {
   std::vector<BaObservation> observations;
   /// Corners; may be empty.
   std::vector<BaCornerPair> corners;
+  /// Rotations by another sensor; may be empty.
+  std::vector<BaTurn> turns = {};
   /// Prior from marginalisation, or a gauge.
   std::optional<BaPrior> prior;
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edgevo/core/camera.h"
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/image.h"
 #include "edgevo/core/input_decision.h"
 #include "edgevo/core/se3.h"
@@ -40,6 +41,9 @@ class ImageSource {
   /// All that its other sensors measured; empty if the source does not give it. May read the source once
   /// more.
   virtual SensorReadings sensor_readings() const { return {}; }
+  /// Samples of the gyro next to the camera; empty if the source has none. May read the source once more; the
+  /// result is used in the thread of the odometry.
+  virtual GyroReadings gyro_readings() const { return {}; }
   /// Further facts for `edgevo info`, as name and value.
   virtual std::vector<std::pair<std::string, std::string>> details() const { return {}; }
   /// What the source took its input to be where that is not stated.

@@ -22,6 +22,7 @@ class WrappedSource : public ImageSource {
   std::string label() const override { return inner_->label(); }
   VehicleTrack vehicle_track(VehicleSensor sensor) const override { return inner_->vehicle_track(sensor); }
   SensorReadings sensor_readings() const override { return inner_->sensor_readings(); }
+  GyroReadings gyro_readings() const override { return inner_->gyro_readings(); }
   std::vector<std::pair<std::string, std::string>> details() const override { return inner_->details(); }
   std::vector<InputDecision> decisions() const override { return inner_->decisions(); }
   std::vector<Timestamp> times() const override { return inner_->times(); }

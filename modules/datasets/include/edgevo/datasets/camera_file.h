@@ -23,6 +23,10 @@
 // A YAML file may also hold the mount of the camera on its vehicle (core/camera_mount.h), which no other
 // program reads: `mount: [roll, pitch, yaw]` in degrees, or with x, y, z in metres.
 //
+// So may it hold how a gyro sits next to the camera, as a run has found it: `gyro: [x, y, z, offset]`, the
+// vector of the rotation from the axes of the gyro to those of the camera in degrees, and by how many seconds
+// its clock is ahead.
+//
 // Lens: by `distortion_model` (and Kalibr's `camera_model`), with the coefficients in this order and the
 // focal lengths as the model's own formula has them (core/camera_models.h says how they relate to those on
 // the axis):
@@ -45,6 +49,7 @@
 
 #include "edgevo/core/camera.h"
 #include "edgevo/core/camera_mount.h"
+#include "edgevo/gyro/gyro_model.h"
 
 namespace edgevo {
 
@@ -53,6 +58,10 @@ Camera read_camera_file(const std::string& path, const std::string& sensor = "")
 
 /// The mount in a calibration file; nullopt if it holds none. Throws InputError.
 std::optional<CameraMount> read_camera_mount(const std::string& path);
+
+/// The gyro in a calibration file, as exact as a run finds one; its bias is not known. nullopt if it holds
+/// none. Throws InputError.
+std::optional<GyroModel> read_camera_gyro(const std::string& path);
 
 /// Parses the text of a calibration file; `where` opens the messages. Throws InputError.
 Camera parse_camera(const std::string& text, const std::string& where, const std::string& sensor = "");
@@ -64,6 +73,9 @@ Camera parse_camera(const std::string& text, const std::string& where, const std
 /// if given. The residual distortion of a run has to be folded in before (calibration/fold_residual.h).
 std::string camera_yaml(const Camera& camera, const std::string& comment,
                         const std::optional<CameraMount>& mount = std::nullopt);
+
+/// The line of a gyro, to be added to such a file.
+std::string gyro_yaml(const GyroModel& gyro);
 
 /// The formats of camera_file_text(): "ros", "kalibr", "orb_slam", "opencv".
 std::vector<std::string> camera_file_formats();

@@ -72,6 +72,8 @@ struct SourceOptions {
   bool any_size = false;
   /// Mount of the camera, in place of that of the camera file or the source.
   std::optional<CameraMount> mount;
+  /// File of a gyro (gyro_file.h), "off" for none; empty: that of the source, or next to it.
+  std::string gyro;
   /// Scale of the images (scaled_source.h); kAutomaticScale: the default for their size.
   double image_scale = 1;
 };

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "edgevo/association/associate.h"
@@ -86,6 +87,16 @@ struct CornerPair {
   Eigen::Vector3d from, to;
 };
 
+/// Rotation since an earlier keyframe that another sensor measured.
+struct KeyframeTurn {
+  /// Id of that keyframe.
+  int from = -1;
+  /// From its camera to this one.
+  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+  /// Inverse of the covariance of w in R <- exp(w) R, rad^-2.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+};
+
 /// A keyframe with the points that it hosts.
 struct Keyframe {
   /// Id, ascending over the whole run.
@@ -110,6 +121,8 @@ struct Keyframe {
   int corners_from = -1;
   /// Corner matches from `corners_from` to this keyframe.
   std::vector<CornerPair> corners;
+  /// Rotation by another sensor; nothing: none measured it.
+  std::optional<KeyframeTurn> turn = std::nullopt;
 };
 
 /// Motion from keyframe `host` to keyframe `target`.

@@ -4,10 +4,10 @@
 //
 // A bootstrap makes a map whose unit of length is arbitrary, and nothing has been seen in both maps. The
 // camera is assumed to continue at the mean velocity of its last frames up to the first view of the
-// bootstrap, with its last orientation, unless features link the two maps (features/view_link.h). The scale
-// follows from the depths in view if the old map was still tracked, else from equal speed: that of the last
-// poses that were sure, since a map that is about to be lost has often lost its unit before. All of this is a
-// guess: FrameRecord::segment marks the join.
+// bootstrap, with its last orientation or that which a gyro has followed, unless features link the two maps
+// (features/view_link.h). The scale follows from the depths in view if the old map was still tracked, else
+// from equal speed: that of the last poses that were sure, since a map that is about to be lost has often
+// lost its unit before. All of this is a guess: FrameRecord::segment marks the join.
 #include <optional>
 #include <vector>
 
@@ -21,12 +21,22 @@ namespace edgevo {
 /// Number of poses that the velocity before a join is averaged over: one bad step matters less.
 constexpr size_t kJoinPoses = 6;
 
+/// A rotation that another sensor measured.
+struct MeasuredTurn {
+  /// From the earlier camera to the later one.
+  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+  /// Standard deviation about each axis, radians.
+  double sigma = 0;
+};
+
 /// The way of the camera while a map was made.
 struct MapBeginning {
   /// Times of the first and the last view that made it.
   Timestamp first, last;
   /// Motion from the first view to the last, in the unit of the map.
   SE3 T_last_first;
+  /// Rotation from the newest pose of the segment before to the first view; nothing: not measured.
+  std::optional<MeasuredTurn> turn = std::nullopt;
 };
 
 /// What both a keyframe a of one map and a keyframe b of another show.

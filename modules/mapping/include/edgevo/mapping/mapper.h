@@ -61,6 +61,8 @@ struct TrackedFrame {
   bool make_keyframe = false;
   /// Corners seen in the reference keyframe and in this frame; empty unless requested.
   std::vector<CornerPair> corners;
+  /// Rotation from keyframe `reference_id` by another sensor.
+  std::optional<KeyframeTurn> turn = std::nullopt;
   /// What replaces pose, covariance and corners once it is there; mapping waits for it. Invalid: nothing
   /// does.
   std::shared_future<PoseByCorners> by_corners;

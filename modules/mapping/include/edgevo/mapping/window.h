@@ -159,6 +159,7 @@ class Window {
   Adjustment build_adjustment();
   void add_point(int host, MapPoint* point, Adjustment* adjustment) const;
   void add_corners(BaProblem* problem) const;
+  void add_turns(BaProblem* problem) const;
   void take_result(const BaResult& result, const Adjustment& adjustment);
   void update_matches(const BaResult& result, const Adjustment& adjustment);
   Match match_again(const Keyframe& host, const MapPoint& point, int keyframe_id,

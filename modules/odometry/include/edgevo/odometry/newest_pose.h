@@ -15,6 +15,14 @@ namespace edgevo {
 
 struct Reference;  // alignment/reference.h
 
+/// Where a camera looks whose pose is not known.
+struct Heading {
+  /// Rotation from the frame of the keyframe poses to the camera.
+  Eigen::Quaterniond R_cam_map = Eigen::Quaterniond::Identity();
+  /// Covariance of w in R <- exp(w) R, which grows with the time since the last pose.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
 /// A snapshot: what it points to never changes. Lengths are in the unit of the segment's map, which has its
 /// origin at the segment's first keyframe. Cheap to copy.
 struct NewestPose {
@@ -33,6 +41,8 @@ struct NewestPose {
   int segment = -1;
   /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.
   std::optional<SE3> T_cam_map;
+  /// Of a frame without a pose, where a gyro has followed the camera since the last one with one.
+  std::optional<Heading> heading;
   /// From the segment's map to the frame of live poses, in which nothing jumps: p_odom = odom_scale R p + t.
   SE3 T_odom_map;
   /// See T_odom_map.

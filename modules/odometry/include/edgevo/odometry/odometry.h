@@ -20,6 +20,8 @@
 
 namespace edgevo {
 
+struct GyroModel;     // gyro/gyro_model.h
+struct GyroSample;    // core/gyro_sample.h
 class Map;            // map/map.h
 class MapLog;         // map/map_log.h
 class Rectification;  // core/rectification.h
@@ -28,6 +30,14 @@ struct FrameView;     // tracking/frame_view.h
 struct MapMoved;      // map/map_event.h
 template <class T>
 class Plane;  // edges/plane.h
+
+/// What is known of the gyro.
+struct GyroState {
+  /// One line in words; empty without samples.
+  std::string statement;
+  /// Rotation, offset, bias; null before they are found.
+  std::shared_ptr<const GyroModel> model;
+};
 
 /// How a run works; what it estimates is in OdometryParams.
 struct OdometryOptions {
@@ -51,6 +61,8 @@ struct OdometryOptions {
   /// newest frames only, with their live poses, and no keyframes, and producers of moves see only keyframes
   /// that still have matches. For a run whose events are kept elsewhere (results/recovery_log.h).
   bool forget = false;
+  /// What an earlier run has found of the gyro; null: nothing.
+  std::shared_ptr<const GyroModel> gyro;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
   /// The stream that consumers read (map/map_log.h), of this odometry alone: another one needs its own. Null:
@@ -76,6 +88,14 @@ class Odometry {
   explicit Odometry(const Camera& camera, const OdometryParams& params = {},
                     const OdometryOptions& options = {});
   ~Odometry();
+
+  /// Takes a sample of a gyro that is fixed to the camera, in any axes; how it sits is found. They come in
+  /// the order of their times, those up to a frame and the tenth of a second after it before that frame, as
+  /// far as they are there; samples that come later help the next one. Call in the thread of process(). Cost:
+  /// 0.3 microseconds.
+  void add_gyro(const GyroSample& sample);
+  /// How the gyro sits, by now: in words, and as numbers once it is known. Call in the thread of process().
+  GyroState gyro() const;
 
   /// Processes the next frame. The record holds what is known now; poses found later (bootstrap) and final
   /// poses come with finish(). Throws InputError, and nothing has happened, unless index and time are after

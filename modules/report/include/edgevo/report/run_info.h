@@ -30,7 +30,7 @@ struct RunInfo {
   bool interrupted = false;
   /// What the source took its input to be.
   std::vector<InputDecision> input;
-  /// The camera as a file for the next run, if it was found from the motion; empty: it was given.
+  /// The camera as a file for the next run, if it or how a gyro sits was found; empty: neither was.
   std::string camera_file;
   /// What was fixed to the camera at the end of the run: 0 there, 255 elsewhere, size of the raw images;
   /// empty: nothing.

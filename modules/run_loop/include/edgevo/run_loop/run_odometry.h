@@ -31,6 +31,8 @@ struct RunResult {
   /// CPU seconds of the odometry in all threads. Excludes `on_frame`; includes reading images only in a
   /// realtime run.
   double cpu_s = 0;
+  /// How the gyro sits, where there is one.
+  GyroState gyro;
   /// Number of frames skipped because their images or times were unusable.
   int skipped = 0;
   /// What became of the keyframes that were looked up among the places of the run.

@@ -37,6 +37,8 @@ struct RenderRequest {
   std::optional<CameraMount> mount;
   /// Part that is fixed to the camera; empty kind: none.
   OverlayOptions own_part;
+  /// Kind of a gyro (simulation/simulated_gyro.h) whose samples are written next to the images; empty: none.
+  std::string gyro;
   /// Kinds of what moves by itself.
   std::vector<std::string> traffic;
   /// Whether to write depth, true edges and the positions of edge pixels in the next frame.

@@ -2,12 +2,14 @@
 #pragma once
 // The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
+#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
@@ -43,12 +45,16 @@ struct SegmentBeginning {
   std::optional<ViewLink> link;
 };
 
+/// Rotation of the camera between two times by another sensor; nothing if none knows it.
+using TurnBetween = std::function<std::optional<CameraTurn>(Timestamp begin, Timestamp end)>;
+
 /// Runs bootstraps and begins segments; for the tracking thread.
 class Bootstrapper {
  public:
-  /// `map` and `frames` must outlive this object.
+  /// `map` and `frames` must outlive this object. `turn` may be empty.
   Bootstrapper(const Rectification& rectification, const TrackingParams& params,
-               const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames);
+               const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames,
+               TurnBetween turn = {});
 
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
@@ -77,6 +83,7 @@ class Bootstrapper {
   TrackingParams params_;
   MapLink* map_;
   FrameLog* frames_;
+  TurnBetween turn_;
 };
 
 }  // namespace edgevo

@@ -41,12 +41,24 @@ struct TrackingTask {
   Random* random;
   /// Corners that a frame with a pose calls for are left for add_corners().
   bool corners_later = false;
+  /// Rotation since the reference by another sensor.
+  std::optional<RotationPrior> turn = std::nullopt;
+};
+
+/// Rotation that the image alone shows.
+struct RotationByImage {
+  /// Reference to current camera.
+  Eigen::Quaterniond R_cur_ref = Eigen::Quaterniond::Identity();
+  /// Covariance of w in R <- exp(w) R.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 
 /// The result of tracking a frame.
 struct Track {
   /// Pose and its measurements.
   TrackResult result;
+  /// What of its rotation the image shows, without TrackingTask::turn.
+  RotationByImage by_image;
   /// FrameEvidence::step_sigmas of the pose.
   double step_sigmas = std::numeric_limits<double>::quiet_NaN();
   /// Motion of the camera when the image was taken (edges/image_motion.h).

@@ -13,6 +13,7 @@
 #include "edgevo/core/random.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
+#include "edgevo/gyro/gyro_aid.h"
 #include "edgevo/mapping/mapper.h"
 #include "edgevo/segmentation/moving_objects.h"
 #include "edgevo/segmentation/stationary_detector.h"
@@ -62,8 +63,15 @@ class FrontEnd {
   FrontEnd(const Rectification& rectification, const TrackingParams& params, const TrackingOptions& options,
            MotionHistory* history);
 
+  /// Takes a sample of a gyro. Those up to a frame, and some tenths of a second after it, come before it.
+  void add(const GyroSample& sample) { gyro_.add(sample); }
+  /// The gyro next to the camera.
+  GyroAid& gyro() { return gyro_; }
+  /// Where a frame without a pose looks, by the gyro: the turn from the frame of the map to it, whose
+  /// covariance is that since the last pose. Nothing if no gyro has followed it.
+  std::optional<CameraTurn> heading() const;
   /// Must be called first for each frame, also for one that is skipped.
-  void begin_frame(Timestamp time) { motion_.begin_frame(time); }
+  void begin_frame(Timestamp time);
   /// Finds the edges of a frame; its rows are rectified for the expected motion if the frame before has a
   /// pose. Leaves `record` null. Throws InputError for an image of another size.
   /// `exposure`: what its pixels show of its exposure.
@@ -95,6 +103,7 @@ class FrontEnd {
                  Timestamp time) {
     begin_map(std::move(reference), motion);
     motion_.set_clock_back(time);
+    pose_time_ = time;
   }
   /// Drops the reference: there is no map any more.
   void drop_map() { reference_.reset(); }
@@ -119,6 +128,8 @@ class FrontEnd {
 
  private:
   ImageMotion expected_motion(bool has_pose) const;
+  std::optional<RotationPrior> turn_since_reference(Timestamp time) const;
+  void see_turn(const ArrivedFrame& now, const Track& track);
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
   TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
   Track track_scene(const ArrivedFrame& now, bool was_lost);
@@ -133,6 +144,9 @@ class FrontEnd {
   Random random_;                                      // for corners
   std::unique_ptr<CornerSearch> corners_in_parallel_;  // only with TrackingOptions::corners_in_parallel
   MotionModel motion_;
+  GyroAid gyro_;
+  Timestamp begun_, pose_time_;            // of the newest frame, and of the last one with a pose
+  std::optional<RotationByImage> turned_;  // of that one
   MotionHistory* history_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;

@@ -11,7 +11,16 @@
 
 namespace edgevo {
 
-/// Constant-velocity model of the camera's motion.
+/// How the camera turned, by another sensor.
+struct KnownRotation {
+  /// Rotation since the last frame with a pose: its vector, radians.
+  Eigen::Vector3d since_last = Eigen::Vector3d::Zero();
+  /// How fast points turn around the camera while the image is taken, rad/s in its axes.
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+};
+
+/// Constant-velocity model of the camera's motion. A rotation that is known takes the place of that which is
+/// extrapolated.
 class MotionModel {
  public:
   /// Pose of the last frame with a pose, against the present reference keyframe.
@@ -36,6 +45,8 @@ class MotionModel {
 
   /// Must be called first for each frame.
   void begin_frame(Timestamp time);
+  /// What another sensor says of the rotation, after begin_frame(); nothing: it constant velocity.
+  void know_rotation(const std::optional<KnownRotation>& known) { known_ = known; }
   /// Adopts a frame's pose; after a gap the velocity is the mean over the gap.
   void follow(const SE3& T_cur_ref);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
@@ -47,10 +58,14 @@ class MotionModel {
   void change_reference(const SE3& T_old_new) { T_last_ref_ = T_last_ref_ * T_old_new; }
 
  private:
+  // The motion since the last frame with a pose, as tangent; `times` of the velocity.
+  Vector6d motion_since(double times) const;
+
   SE3 T_last_ref_, velocity_;
   double velocity_s_ = 0;  // time of the motion `velocity_`; 0: not known
   FrameClock clock_;
-  FrameClock::Step newest_;   // to the current frame
+  FrameClock::Step newest_;  // to the current frame
+  std::optional<KnownRotation> known_;
   int frames_since_ = 0;      // from the last frame with a pose to the current one
   double seconds_since_ = 0;  // 0: not known
 };

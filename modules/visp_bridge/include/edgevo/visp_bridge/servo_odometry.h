@@ -13,7 +13,10 @@
 #include <visp3/core/vpRGBa.h>
 
 #include <atomic>
+#include <mutex>
+#include <vector>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/time_order.h"
 #include "edgevo/core/worker.h"
 #include "edgevo/odometry/odometry.h"
@@ -39,6 +42,10 @@ class ServoOdometry {
   /// Adds a gray copy of a colour image.
   void push(const vpImage<vpRGBa>& image, Timestamp time);
 
+  /// Any thread. Adds a sample of a gyro that is fixed to the camera (Odometry::add_gyro); those up to an
+  /// image should come before it.
+  void push_gyro(const GyroSample& sample);
+
   /// Number of waiting images that were replaced by newer ones.
   int replaced() const { return replaced_; }
   /// Waits for the pushed images, ends the thread and returns the run. Call once. After a failure, which the
@@ -47,6 +54,7 @@ class ServoOdometry {
 
  private:
   void try_process(Frame frame);
+  void add_gyro();
   void process(Frame frame);
 
   ServoFeed* feed_;
@@ -56,7 +64,9 @@ class ServoOdometry {
   bool has_failed_ = false;
   int next_index_ = 0;  // of the camera's thread
   std::atomic<int> replaced_{0};
-  Worker worker_;  // last member: it ends before the others
+  std::mutex gyro_mutex_;         // guards gyro_
+  std::vector<GyroSample> gyro_;  // since the frame before
+  Worker worker_;                 // last member: it ends before the others
 };
 
 }  // namespace edgevo

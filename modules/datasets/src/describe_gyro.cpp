@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `edgevo info` says of a gyro.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/order_statistics.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/datasets/gyro_file.h"
+
+namespace edgevo {
+namespace {
+
+std::vector<double> steps_of(const std::vector<GyroSample>& samples) {
+  std::vector<double> steps;
+  for (size_t i = 1; i < samples.size(); ++i)
+    steps.push_back(seconds_between(samples[i - 1].time, samples[i].time));
+  return steps;
+}
+
+std::string gaps_in_words(const std::vector<double>& steps, double usual) {
+  constexpr double kGap = 2.5;  // usual steps, as with images
+  const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double s) { return s > kGap * usual; });
+  if (gaps == 0) return "no gaps";
+  return std::to_string(gaps) + " gaps, the longest of " +
+         fixed(*std::max_element(steps.begin(), steps.end()), 3) + " s";
+}
+
+// Mean rate of the second in which it varies least: nearly the bias, if it was at rest then.
+struct Calmest {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  double deviation = std::numeric_limits<double>::infinity();
+};
+
+Calmest calmest_second(const std::vector<GyroSample>& samples, double step) {
+  const size_t n = std::max<size_t>(2, size_t(std::lround(1 / step)));
+  Calmest calmest;
+  for (size_t begin = 0; begin + n <= samples.size(); begin += n / 2) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (size_t i = begin; i < begin + n; ++i) mean += samples[i].rate / double(n);
+    double square = 0;
+    for (size_t i = begin; i < begin + n; ++i) square += (samples[i].rate - mean).squaredNorm() / double(n);
+    if (std::sqrt(square / 3) < calmest.deviation) calmest = {mean, std::sqrt(square / 3)};
+  }
+  return calmest;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> describe_gyro(const GyroReadings& readings) {
+  if (!readings) return {};
+  std::vector<GyroSample> samples;
+  while (const auto sample = readings()) samples.push_back(*sample);
+  if (samples.size() < 2) return {};
+  const std::vector<double> steps = steps_of(samples);
+  const double usual = median(steps);
+  if (!(usual > 0)) return {{"gyro", std::to_string(samples.size()) + " samples without usable times"}};
+  std::vector<std::pair<std::string, std::string>> lines{{"gyro", std::to_string(samples.size()) +
+                                                                      " samples, " + fixed(1 / usual, 1) +
+                                                                      " Hz, " + gaps_in_words(steps, usual)}};
+  const Calmest calmest = calmest_second(samples, usual);
+  if (!std::isfinite(calmest.deviation)) return lines;
+  std::string rates;
+  for (const double value : calmest.mean) rates += (rates.empty() ? "" : ", ") + fixed(deg(value), 3);
+  lines.emplace_back("gyro at its calmest", "(" + rates + ") +- " + fixed(deg(calmest.deviation), 3) +
+                                                " degrees/s for a second: its bias, if it was at rest");
+  return lines;
+}
+
+}  // namespace edgevo

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// A gyro next to the camera while a run goes on: calibrates itself from rotations that the images show, gives
+// rotations with their covariance, and is not used where it contradicts the images.
+//
+// What it is worth is measured: the rotations that it predicts are compared with those of the images and with
+// a camera that goes on turning as before. Errors beyond its covariance make the covariance larger; a gyro
+// that is worse than to go on turning is not used, and calibrated anew.
+#include <deque>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "edgevo/gyro/gyro_calibration.h"
+
+namespace edgevo {
+
+/// Follows a gyro. One thread at a time.
+class GyroAid {
+ public:
+  /// Nothing is known of the gyro, or `known`, such as from an earlier run; its bias is measured again.
+  explicit GyroAid(const std::optional<GyroModel>& known = std::nullopt);
+
+  /// Takes the next sample.
+  void add(const GyroSample& sample);
+  /// Whether there were any.
+  bool has_samples() const { return gyro_.has_samples(); }
+  /// Takes a rotation that the images alone show, whose pose is good. Cost: 10 microseconds; until the gyro
+  /// is calibrated now and then 10 ms.
+  void see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R, const Eigen::Matrix3d& covariance);
+
+  /// Says that the images show other rotations from now on: their rows are straightened, which they were not
+  /// before. How the gyro sits is found anew, and what was found counts little until then.
+  void images_changed();
+
+  /// Rotation of the camera between two times; nothing while the gyro is not calibrated or is not used, or
+  /// where samples are missing.
+  std::optional<CameraTurn> turn(Timestamp begin, Timestamp end) const;
+  /// How fast points turn around the camera, rad/s in its axes; nothing as turn().
+  std::optional<Eigen::Vector3d> rate_of_points(Timestamp time) const;
+
+  /// The gyro next to the camera; nothing before it is calibrated.
+  const std::optional<GyroModel>& model() const { return model_; }
+  /// Whether turn() may give something.
+  bool is_used() const { return model_.has_value(); }
+  /// What was found since the last call, one line each.
+  std::vector<std::string> take_reports();
+  /// What is known at the end, in words: for the summary of a run. Empty without samples.
+  std::string statement() const;
+
+ private:
+  // A rotation of the images against what was predicted.
+  struct Compared {
+    double by_gyro2, by_going_on2;  // squared errors, rad^2
+    double sigmas2;                 // of the gyro's, in its covariance
+  };
+
+  void calibrate();
+  void take_fit(const GyroFit& fit);
+  void follow(const SeenTurn& seen);
+  void update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
+  void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
+  void report_once(const std::string& line, std::string* last);
+  void refuse(double gyro2, double going_on2);
+  double factor() const;
+  std::pair<double, double> errors2() const;
+
+  GyroIntegrator gyro_;
+  std::optional<GyroModel> model_;
+  std::vector<SeenTurn> turns_;  // until it is observed
+  size_t next_calibration_;
+  std::deque<Compared> compared_;
+  std::optional<SeenTurn> last_;
+  bool was_observed_ = false;
+  std::string stuck_;  // since when it repeats its rates
+  std::string fault_;  // why it is not used; empty: none
+  std::vector<std::string> reports_;
+};
+
+}  // namespace edgevo

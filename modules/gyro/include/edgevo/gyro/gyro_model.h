@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// How a gyro sits next to a camera, and the rotations of the camera that follow from its samples.
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+
+#include "edgevo/gyro/gyro_integrator.h"
+
+namespace edgevo {
+
+/// Unknowns of a GyroModel: rotation (3), bias (3), offset, scales (3).
+constexpr int kGyroUnknowns = 10;
+/// Covariance of these.
+using GyroCovariance = Eigen::Matrix<double, kGyroUnknowns, kGyroUnknowns>;
+/// Derivative of a rotation by these.
+using GyroJacobian = Eigen::Matrix<double, 3, kGyroUnknowns>;
+
+/// Where the gyro is turned to, its clock and its errors, with their covariance.
+struct GyroModel {
+  /// Turns vectors from the axes of the gyro to those of the camera.
+  Eigen::Quaterniond R_cam_gyro = Eigen::Quaterniond::Identity();
+  /// Time that the gyro's clock shows less that of the camera's, seconds.
+  double offset_s = 0;
+  /// Bias and errors of the scales.
+  GyroErrors errors;
+  /// Covariance of theta in R <- exp(theta) R, bias, offset and scales; of what nothing has shown yet that
+  /// which gyros have (gyro_before_use()).
+  GyroCovariance covariance = GyroCovariance::Identity();
+
+  /// Largest standard deviation of the rotation about any axis, radians.
+  double rotation_sigma() const;
+  /// Whether all three angles of the rotation are known, to kObserved: the camera has turned about two axes.
+  bool is_observed() const;
+  /// Adds a change of the unknowns.
+  void move(const Eigen::Matrix<double, kGyroUnknowns, 1>& by);
+};
+
+/// What is known of a gyro that nobody has measured: nothing of its rotation, and errors as those of phones
+/// and drones are (datasheets: 0.5 to 3 degrees/s, 1 to 3 %).
+GyroModel gyro_before_use();
+
+/// One line: rotation, offset and bias, as "gyro: ..." says them.
+std::string describe(const GyroModel& model);
+
+/// Rotation of the camera between two times.
+struct CameraTurn {
+  /// p_end = R p_begin for points at infinity.
+  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+  /// Covariance of delta in R <- exp(delta) R, by the noise of the gyro and by what is not known of it.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  /// The part of the noise.
+  Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
+  /// Derivative of delta by the unknowns.
+  GyroJacobian by_unknowns = GyroJacobian::Zero();
+};
+
+/// Rotation of the camera from `begin` to `end`, seconds of the camera's clock in GyroIntegrator's count;
+/// nothing where samples are missing. Cost: 2 microseconds for a thirtieth of a second.
+std::optional<CameraTurn> camera_turn(const GyroIntegrator& gyro, const GyroModel& model, double begin,
+                                      double end);
+
+}  // namespace edgevo

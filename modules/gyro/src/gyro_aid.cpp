@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/gyro/gyro_aid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "chi_square.h"
+#include "edgevo/core/angle.h"
+#include "edgevo/core/order_statistics.h"
+#include "edgevo/core/rotation_vector.h"
+
+namespace edgevo {
+namespace {
+
+// Turns after which a fit is tried first, and the factor to the next try: a run pays for few of them.
+constexpr size_t kFirstTurns = 30;
+constexpr double kTurnsFactor = 1.4;
+constexpr size_t kMostTurns = 300;  // of a fit: ten seconds
+// Turns that its worth is measured from: two seconds, since images are wrong for some frames more often than
+// gyros are.
+constexpr size_t kCompared = 60;
+// A gyro whose errors are twice those of going on as before is not used.
+constexpr double kWorse = 4;  // of squares
+// Change of the bias, rad/s over the root of a second: 0.05 degrees/s in a minute, as a MEMS gyro warms up.
+constexpr double kBiasWalk = rad(0.05) / 7.7;
+constexpr double kDegrees = rad(1);
+
+std::string formatted_degrees(const char* format, double a, double b) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, deg(a), deg(b));
+  return text;
+}
+
+}  // namespace
+
+GyroAid::GyroAid(const std::optional<GyroModel>& known) : model_(known), next_calibration_(kFirstTurns) {
+  was_observed_ = model_ && model_->is_observed();
+}
+
+void GyroAid::add(const GyroSample& sample) {
+  constexpr double kStuckS = 1;  // at rest a coarse gyro repeats its rates for some samples
+  gyro_.add(sample);
+  if (stuck_.empty() && gyro_.repeated_s() > kStuckS) {
+    stuck_ = "stuck: it repeats its rates since " + to_string(sample.time) + " s";
+    reports_.push_back("gyro: " + stuck_);
+  } else if (gyro_.repeated_s() == 0) {
+    stuck_.clear();
+  }
+}
+
+void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
+                  const Eigen::Matrix3d& covariance) {
+  if (!has_samples() || !covariance.allFinite() || !R.coeffs().allFinite()) return;
+  const SeenTurn seen{gyro_.seconds(begin), gyro_.seconds(end), R, covariance};
+  if (model_) follow(seen);
+  if (!model_ || !model_->is_observed()) {
+    turns_.push_back(seen);
+    if (turns_.size() >= next_calibration_) calibrate();
+  }
+  last_ = seen;
+}
+
+void GyroAid::images_changed() {
+  constexpr double kOff = rad(3);  // what rows that are not straight have turned gyros by
+  turns_.clear();
+  compared_.clear();
+  last_.reset();
+  next_calibration_ = kFirstTurns;
+  if (!model_) return;
+  model_->covariance.diagonal().head<6>().array() += kOff * kOff;
+  was_observed_ = false;
+}
+
+// Of many turns the smallest say least.
+void GyroAid::calibrate() {
+  if (turns_.size() > kMostTurns) {
+    std::vector<double> angles;
+    for (const SeenTurn& t : turns_) angles.push_back(rotation_vector(t.R).squaredNorm());
+    const double least = of_rank(std::move(angles), turns_.size() - kMostTurns);
+    const auto is_small = [&](const SeenTurn& t) { return rotation_vector(t.R).squaredNorm() < least; };
+    turns_.erase(std::remove_if(turns_.begin(), turns_.end(), is_small), turns_.end());
+  }
+  take_fit(fit_gyro(gyro_, turns_));
+  next_calibration_ = size_t(kTurnsFactor * double(turns_.size())) + 1;
+}
+
+void GyroAid::report_once(const std::string& line, std::string* last) {
+  if (line != *last) reports_.push_back("gyro: " + line);
+  *last = line;
+}
+
+void GyroAid::take_fit(const GyroFit& fit) {
+  using Kind = GyroFit::Kind;
+  if (fit.kind == Kind::kUnknown) return;
+  if (fit.kind == Kind::kOtherRates && std::abs(std::log(fit.times / kDegrees)) < 0.2) {
+    gyro_.set_unit(kDegrees);
+    reports_.push_back("gyro: its rates are in degrees a second, and are converted");
+    return take_fit(fit_gyro(gyro_, turns_));
+  }
+  model_.reset();
+  if (fit.kind == Kind::kPerhapsMirrored) return;
+  if (fit.kind == Kind::kMirrored)
+    return report_once("not used: its axes are mirrored, or two are swapped (left-handed)", &fault_);
+  if (fit.kind == Kind::kOtherRates) {
+    char text[120];
+    std::snprintf(text, sizeof text, "not used: the images turn %.2f times as fast as its rates", fit.times);
+    return report_once(text, &fault_);
+  }
+  if (fit.kind == Kind::kUnrelated)
+    return report_once("not used: the images turn, and it does not turn with them", &fault_);
+  model_ = fit.model;
+  fault_.clear();
+  if (!model_->is_observed() || was_observed_) return;
+  was_observed_ = true;
+  reports_.push_back("gyro: observed, " + describe(*model_));
+}
+
+// Variance of the errors over that of the covariance; 1: it is right, or too large.
+double GyroAid::factor() const {
+  if (compared_.size() < kCompared / 2) return 1;
+  std::vector<double> sigmas2;
+  for (const Compared& c : compared_) sigmas2.push_back(c.sigmas2);
+  return std::max(1.0, median(std::move(sigmas2)) / kMedianChiSquare);
+}
+
+// Median squared errors, by the gyro and by constant velocity.
+std::pair<double, double> GyroAid::errors2() const {
+  std::vector<double> by_gyro2, by_going_on2;
+  for (const Compared& c : compared_) by_gyro2.push_back(c.by_gyro2), by_going_on2.push_back(c.by_going_on2);
+  return {median(std::move(by_gyro2)), median(std::move(by_going_on2))};
+}
+
+void GyroAid::follow(const SeenTurn& seen) {
+  const std::optional<CameraTurn> shown = camera_turn(gyro_, *model_, seen.begin, seen.end);
+  if (!shown) return;
+  const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
+  if (model_->is_observed()) update(seen, *shown, beyond);
+  compare(seen, *shown, beyond);
+}
+
+void GyroAid::update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond) {
+  constexpr double kOutlier = 25;  // five sigmas
+  model_->covariance.diagonal().segment<3>(3).array() += kBiasWalk * kBiasWalk * (seen.end - seen.begin);
+  const GyroJacobian& J = shown.by_unknowns;
+  const Eigen::Matrix3d S =
+      J * model_->covariance * J.transpose() + factor() * (shown.noise + seen.covariance);
+  const Eigen::Matrix3d information = S.inverse();
+  if (!(beyond.dot(information * beyond) < kOutlier)) return;
+  const Eigen::Matrix<double, kGyroUnknowns, 3> K = model_->covariance * J.transpose() * information;
+  model_->move(K * beyond);
+  model_->covariance -= (K * J * model_->covariance).eval();
+  model_->covariance = (0.5 * (model_->covariance + model_->covariance.transpose())).eval();
+}
+
+void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond) {
+  const bool goes_on = last_ && std::abs(last_->end - seen.begin) < 1e-6;
+  if (!goes_on) return;
+  const double share = (seen.end - seen.begin) / (last_->end - last_->begin);
+  const Eigen::Quaterniond as_before = rotation_of(share * rotation_vector(last_->R));
+  const Eigen::Matrix3d S = shown.covariance + seen.covariance;
+  compared_.push_back({beyond.squaredNorm(), rotation_vector(seen.R * as_before.conjugate()).squaredNorm(),
+                       beyond.dot(S.inverse() * beyond)});
+  if (compared_.size() > kCompared) compared_.pop_front();
+  if (compared_.size() < kCompared / 2) return;
+  const auto [gyro2, going_on2] = errors2();
+  if (gyro2 > kWorse * going_on2) refuse(gyro2, going_on2);
+}
+
+// It is calibrated anew: it may have been moved, or a file said something else.
+void GyroAid::refuse(double gyro2, double going_on2) {
+  report_once(formatted_degrees("not used: it contradicts the images, by %.2f degrees an image, and to go on "
+                                "turning as before by %.2f",
+                                std::sqrt(gyro2), std::sqrt(going_on2)),
+              &fault_);
+  model_.reset();
+  was_observed_ = false;
+  turns_.clear();
+  compared_.clear();
+  next_calibration_ = kFirstTurns;
+}
+
+std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
+  if (!is_used()) return std::nullopt;
+  std::optional<CameraTurn> found = camera_turn(gyro_, *model_, gyro_.seconds(begin), gyro_.seconds(end));
+  if (found) found->covariance *= factor();
+  return found;
+}
+
+std::optional<Eigen::Vector3d> GyroAid::rate_of_points(Timestamp time) const {
+  if (!is_used()) return std::nullopt;
+  const auto rate = gyro_.rate(gyro_.seconds(time) + model_->offset_s, model_->errors);
+  if (!rate) return std::nullopt;
+  return Eigen::Vector3d(-(model_->R_cam_gyro * *rate));
+}
+
+std::vector<std::string> GyroAid::take_reports() { return std::exchange(reports_, {}); }
+
+std::string GyroAid::statement() const {
+  if (!has_samples()) return {};
+  if (!stuck_.empty()) return stuck_;
+  if (!fault_.empty()) return fault_;
+  if (!model_) return "not observed: the camera has not turned enough";
+  if (!model_->is_observed())
+    return "not observed: the camera has turned about one axis only; " + describe(*model_);
+  char noise[80];
+  std::snprintf(noise, sizeof noise, ", noise %.4f degrees/s/sqrt(Hz)", deg(gyro_.noise()));
+  return "observed, " + describe(*model_) + noise;
+}
+
+}  // namespace edgevo

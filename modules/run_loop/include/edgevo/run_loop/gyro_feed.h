@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+// The samples of a source's gyro for whoever feeds an Odometry frame by frame; run_odometry() does.
+#include <utility>
+
+#include "edgevo/core/gyro_sample.h"
+#include "edgevo/odometry/odometry.h"
+
+namespace edgevo {
+
+/// Reads a gyro up to each frame.
+class GyroFeed {
+ public:
+  /// `readings`: ImageSource::gyro_readings(); may be empty.
+  explicit GyroFeed(GyroReadings readings = {}) : readings_(std::move(readings)) { advance(); }
+
+  /// Passes on the samples up to the time of the next frame, and as much after it as clocks may differ.
+  void feed_until(Timestamp time, Odometry* odometry) {
+    constexpr double kAfterS = 0.3;
+    for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
+  }
+
+ private:
+  void advance() { next_ = readings_ ? readings_() : std::nullopt; }
+
+  GyroReadings readings_;
+  std::optional<GyroSample> next_;
+};
+
+}  // namespace edgevo

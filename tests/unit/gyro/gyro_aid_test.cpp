@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A gyro that sits anywhere next to a camera: what rotations of the images show of it, by those of simulated
+// gyros whose errors are known.
+#include "edgevo/gyro/gyro_aid.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/random.h"
+#include "edgevo/core/rotation_vector.h"
+#include "edgevo/simulation/simulated_gyro.h"
+
+namespace edgevo::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double kFrame = 1.0 / 30, kImageNoise = rad(0.015);
+
+// A hand that turns about three axes, or one.
+SE3 hand_at(double t, bool one_axis) {
+  const Eigen::Vector3d all(0.2 * std::sin(2.1 * t), 0.4 * std::sin(1.3 * t) + 0.1 * std::sin(5 * t),
+                            0.15 * std::sin(1.7 * t + 1));
+  const Eigen::Vector3d turn = one_axis ? Eigen::Vector3d(0, all.y(), 0) : all;
+  return {rotation_of(turn), Eigen::Vector3d::Zero()};
+}
+
+struct Placed {
+  bool one_axis = false;
+  double seconds = 20;
+  std::string kind = "phone";
+  uint64_t seed = 1;
+  std::function<void(size_t i, GyroSample*)> change = [](size_t, GyroSample*) {};
+};
+
+SimulatedGyro gyro_of(const Placed& b) {
+  return simulate_gyro([&](double t) { return hand_at(t, b.one_axis); }, 0, b.seconds + 0.5, b.kind, b.seed);
+}
+
+// Feeds samples and turns of images, as a run does; `on_image` after each.
+GyroAid follow(const Placed& b, const SimulatedGyro& gyro,
+               const std::function<void(double, const GyroAid&)>& on_image = {}) {
+  GyroAid aid;
+  Random random(b.seed);
+  size_t next = 0;
+  for (double t = 0; t + kFrame < b.seconds; t += kFrame) {
+    for (; next < gyro.samples.size() && gyro.samples[next].time.seconds() < t + kFrame + 0.3; ++next) {
+      GyroSample sample = gyro.samples[next];
+      b.change(next, &sample);
+      aid.add(sample);
+    }
+    const Eigen::Vector3d noise(random.normal(), random.normal(), random.normal());
+    const Eigen::Quaterniond R = rotation_of(kImageNoise * noise) *
+                                 hand_at(t + kFrame, b.one_axis).rotation().conjugate() *
+                                 hand_at(t, b.one_axis).rotation();
+    const Eigen::Matrix3d covariance = kImageNoise * kImageNoise * Eigen::Matrix3d::Identity();
+    aid.see(Timestamp::from_seconds(t), Timestamp::from_seconds(t + kFrame), R, covariance);
+    if (on_image) on_image(t + kFrame, aid);
+  }
+  return aid;
+}
+
+TEST(GyroAid, FindsRotationOffsetAndBiasOfEveryKind) {
+  for (const std::string& kind : gyro_kinds())
+    for (const uint64_t seed : {1, 2, 3}) {
+      Placed b;
+      b.kind = kind, b.seed = seed;
+      const SimulatedGyro gyro = gyro_of(b);
+      const GyroAid aid = follow(b, gyro);
+      ASSERT_TRUE(aid.model()) << kind << seed << " " << aid.statement();
+      const GyroModel& m = *aid.model();
+      EXPECT_TRUE(m.is_observed());
+      EXPECT_LT(deg((m.R_cam_gyro * gyro.truth.R_cam_gyro.conjugate()).vec().norm() * 2), 0.3)
+          << kind << seed;
+      EXPECT_NEAR(m.offset_s, gyro.truth.offset_s, 0.002) << kind << seed;
+      EXPECT_LT(deg((m.errors.bias - gyro.last_bias).norm()), 0.05) << kind << seed;
+    }
+}
+
+TEST(GyroAid, OnOneAxisTheRotationIsNotObservedButTurnsAreKnown) {
+  Placed b;
+  b.one_axis = true;
+  const SimulatedGyro gyro = gyro_of(b);
+  double worst = 0;
+  const GyroAid aid = follow(b, gyro, [&](double t, const GyroAid& now) {
+    if (t < 10) return;
+    const auto turn = now.turn(Timestamp::from_seconds(t - 1), Timestamp::from_seconds(t));
+    ASSERT_TRUE(turn);
+    const Eigen::Quaterniond truth =
+        hand_at(t, true).rotation().conjugate() * hand_at(t - 1, true).rotation();
+    worst = std::max(worst, rotation_vector(turn->R * truth.conjugate()).norm());
+  });
+  ASSERT_TRUE(aid.model());
+  EXPECT_FALSE(aid.model()->is_observed());
+  EXPECT_THAT(aid.statement(), HasSubstr("not observed"));
+  EXPECT_LT(deg(worst), 0.5);
+}
+
+TEST(GyroAid, CovariancesOfTurnsAreThoseOfTheirErrors) {
+  Placed b;
+  b.seconds = 30;
+  const SimulatedGyro gyro = gyro_of(b);
+  double squares = 0;
+  int count = 0;
+  follow(b, gyro, [&](double t, const GyroAid& now) {
+    const auto turn = now.turn(Timestamp::from_seconds(t - 0.5), Timestamp::from_seconds(t));
+    if (t < 5 || !turn) return;
+    const Eigen::Quaterniond truth =
+        hand_at(t, false).rotation().conjugate() * hand_at(t - 0.5, false).rotation();
+    const Eigen::Vector3d error = rotation_vector(turn->R * truth.conjugate());
+    squares += error.dot(turn->covariance.inverse() * error);
+    ++count;
+  });
+  ASSERT_GT(count, 500);
+  EXPECT_LT(squares / count, 2 * 3.0);
+  EXPECT_GT(squares / count, 3.0 / 6);
+}
+
+TEST(GyroAid, DegreesAreFoundAndConverted) {
+  Placed b;
+  b.change = [](size_t, GyroSample* s) { s->rate /= rad(1); };
+  const GyroAid aid = follow(b, gyro_of(b));
+  ASSERT_TRUE(aid.model()) << aid.statement();
+  EXPECT_TRUE(aid.model()->is_observed());
+}
+
+TEST(GyroAid, AMirroredAxisIsNamedAndNotUsed) {
+  Placed b;
+  b.change = [](size_t, GyroSample* s) { s->rate.y() *= -1; };
+  const GyroAid aid = follow(b, gyro_of(b));
+  EXPECT_FALSE(aid.is_used());
+  EXPECT_THAT(aid.statement(), HasSubstr("mirrored"));
+}
+
+TEST(GyroAid, AStuckGyroIsNamedAndNotUsed) {
+  Placed b;
+  b.change = [](size_t, GyroSample* s) { s->rate.setConstant(0.01); };
+  const GyroAid aid = follow(b, gyro_of(b));
+  EXPECT_FALSE(aid.is_used());
+  EXPECT_THAT(aid.statement(), HasSubstr("stuck"));
+}
+
+TEST(GyroAid, OneThatTurnsWithSomethingElseIsNamedAndNotUsed) {
+  Placed b;
+  b.change = [](size_t i, GyroSample* s) { s->rate = Eigen::Vector3d(std::sin(0.05 * double(i)), 0.1, 0); };
+  const GyroAid aid = follow(b, gyro_of(b));
+  EXPECT_FALSE(aid.is_used());
+  EXPECT_THAT(aid.statement(), HasSubstr("does not turn"));
+}
+
+TEST(GyroAid, OneThatFailsLaterIsNotUsedWithinTwoSeconds) {
+  Placed b;
+  b.seconds = 22;
+  b.change = [](size_t i, GyroSample* s) {
+    if (i > 4000) s->rate = Eigen::Vector3d(1e-4 * double(i % 7), 0, 0);
+  };
+  GyroAid aid = follow(b, gyro_of(b));
+  EXPECT_FALSE(aid.is_used());
+  EXPECT_THAT(aid.take_reports(), Contains(HasSubstr("contradicts")));
+}
+
+TEST(GyroAid, AClockThatIsLateIsFound) {
+  Placed b;
+  b.change = [](size_t, GyroSample* s) { s->time.ticks += Timestamp::kTicksPerSecond / 20; };
+  const SimulatedGyro gyro = gyro_of(b);
+  const GyroAid aid = follow(b, gyro);
+  ASSERT_TRUE(aid.model());
+  EXPECT_NEAR(aid.model()->offset_s, gyro.truth.offset_s + 0.05, 0.002);
+}
+
+TEST(GyroAid, ACameraThatStandsSaysNothing) {
+  const SimulatedGyro still = simulate_gyro([](double) { return SE3(); }, 0, 10.5, "phone", 1);
+  GyroAid aid;
+  for (const GyroSample& s : still.samples) aid.add(s);
+  Random random(1);
+  for (double t = 0; t < 9.9; t += kFrame) {
+    const Eigen::Vector3d noise(random.normal(), random.normal(), random.normal());
+    aid.see(Timestamp::from_seconds(t), Timestamp::from_seconds(t + kFrame), rotation_of(kImageNoise * noise),
+            kImageNoise * kImageNoise * Eigen::Matrix3d::Identity());
+  }
+  EXPECT_FALSE(aid.model());
+  EXPECT_THAT(aid.take_reports(), IsEmpty());
+}
+
+TEST(GyroIntegrator, MissingSamplesGiveNoRotation) {
+  GyroIntegrator gyro;
+  for (int i = 0; i < 200; ++i)
+    if (i < 80 || i > 120) gyro.add({Timestamp::from_seconds(0.005 * i), Eigen::Vector3d(0, 1, 1e-3 * i)});
+  EXPECT_TRUE(gyro.rotation(0.1, 0.3, {}));
+  EXPECT_TRUE(gyro.rotation(0.7, 0.9, {}));
+  EXPECT_FALSE(gyro.rotation(0.3, 0.7, {}));
+  EXPECT_FALSE(gyro.rotation(0.45, 0.5, {}));
+  EXPECT_FALSE(gyro.rotation(0.9, 1.2, {}));
+  EXPECT_FALSE(gyro.rotation(-0.1, 0.1, {}));
+}
+
+TEST(GyroIntegrator, DerivativesAreThoseOfDifferences) {
+  GyroIntegrator gyro;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 0.005 * i;
+    gyro.add({Timestamp::from_seconds(t),
+              Eigen::Vector3d(std::sin(7 * t), 2 * std::cos(5 * t), 1 - std::sin(3 * t))});
+  }
+  const auto at = [&](const GyroErrors& e) { return gyro.rotation(0.123, 0.777, e)->R; };
+  const GyroRotation here = *gyro.rotation(0.123, 0.777, {});
+  constexpr double kStep = 1e-5;
+  for (int i = 0; i < 3; ++i) {
+    GyroErrors bias, scale;
+    bias.bias[i] = kStep, scale.scale[i] = kStep;
+    const Eigen::Vector3d by_bias = rotation_vector(at(bias) * here.R.conjugate()) / kStep,
+                          by_scale = rotation_vector(at(scale) * here.R.conjugate()) / kStep;
+    EXPECT_LT((by_bias - here.by_bias.col(i)).norm(), 0.01);
+    EXPECT_LT((by_scale - here.by_scale.col(i)).norm(), 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace edgevo::test
