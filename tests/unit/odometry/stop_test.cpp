@@ -51,15 +51,17 @@ TEST(AStart, BeforeTrafficHasOnePoseForAllFramesInWhichItStood) {
     if (k == kBlank) continue;
     ASSERT_TRUE(frame.T_world_cam) << k;
     stood += frame.evidence.stands;
-    if (frame.evidence.stands && middle.evidence.stands)
+    if (frame.evidence.stands && middle.evidence.stands) {
       EXPECT_NEAR((frame.T_world_cam->translation() - middle.T_world_cam->translation()).norm(), 0, 1e-9)
           << k;
+    }
   }
   EXPECT_FALSE(run.frames[kBlank].T_world_cam) << "nothing was seen";
   EXPECT_NE(run.frames[kBlank].note, "");
   EXPECT_GE(stood, kStanding - 3);
-  const auto e = test::trajectory_error(run, 0, kStanding + kMoving,
-                                        [](int k) { return test::sweep_pose(std::max(k - kStanding, 0)); });
+  const auto e = test::trajectory_error(run, 0, 2 * (kStanding + kMoving), [](int k) {
+    return test::sweep_pose(std::max(k / 2 - kStanding, 0));
+  });
   EXPECT_LT(e.rmse, 0.03 * e.length);
 }
 
