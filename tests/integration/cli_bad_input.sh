@@ -27,7 +27,7 @@ head -c 100000 /dev/urandom >noise
 camera() { run "$1" "$desk" --camera "$2"; }
 camera "zero: cannot be read: it is a device or a pipe" /dev/zero
 camera "pipe: cannot be read: it is a device or a pipe" pipe
-camera "folder: cannot be read: Is a directory" folder
+camera "folder: is a folder without COLMAP.s cameras.txt" folder
 camera "empty.*camera\|empty: " empty
 truncate -s 3G huge
 camera "huge: cannot be read: it is larger than 2 GB" huge

@@ -300,6 +300,10 @@ Eigen::Matrix3d RotationPrior::weight(const SE3& T_cur_ref) const {
   return kVarianceOfResidual * huber_weight(std::sqrt(w.dot(information * w)), kTurnHuber) * information;
 }
 
+Eigen::Matrix3d RotationPrior::covariance(const SE3& T_cur_ref) const {
+  return kVarianceOfResidual * weight(T_cur_ref).inverse();
+}
+
 double RotationPrior::cost(const SE3& T_cur_ref) const {
   const Eigen::Vector3d w = beyond(T_cur_ref);
   return kVarianceOfResidual * huber_cost(std::sqrt(w.dot(information * w)), kTurnHuber);

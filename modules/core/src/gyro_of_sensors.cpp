@@ -13,10 +13,23 @@ namespace {
 // Measurements of inertial sensors from which one is chosen: a second of several fast ones.
 constexpr int kSearched = 1000;
 
+// Of other sensors before the first inertial one: a recording without one is not read to its end.
+constexpr double kSearchedS = 10;
+
 // The next inertial measurement.
 std::optional<SensorReading> next_inertial(const SensorReadings& readings) {
   while (auto reading = readings())
     if (std::holds_alternative<ImuReading>(reading->value)) return reading;
+  return std::nullopt;
+}
+
+std::optional<SensorReading> first_inertial(const SensorReadings& readings) {
+  std::optional<Timestamp> begin;
+  while (auto reading = readings()) {
+    if (std::holds_alternative<ImuReading>(reading->value)) return reading;
+    if (!begin) begin = reading->time;
+    if (seconds_between(*begin, reading->time) > kSearchedS) break;
+  }
   return std::nullopt;
 }
 
@@ -52,7 +65,7 @@ GyroReadings gyro_of(SensorReadings readings) {
   chosen->readings = std::move(readings);
   std::map<std::string, int> turning;  // by label
   for (int i = 0; i < kSearched; ++i) {
-    auto reading = next_inertial(chosen->readings);
+    auto reading = i == 0 ? first_inertial(chosen->readings) : next_inertial(chosen->readings);
     if (!reading) break;
     if (!rate_of(*reading).isZero()) ++turning[reading->label];
     chosen->first.push_back(std::move(*reading));

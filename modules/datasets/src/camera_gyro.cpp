@@ -14,7 +14,6 @@ namespace {
 
 // Of a rotation and an offset that a run found: several times what it states.
 constexpr double kRotationSigma = rad(0.5), kOffsetSigma = 0.005;
-constexpr double kMostOffsetS = 1;  // clocks that are further apart are those of other recordings
 
 }  // namespace
 
@@ -22,10 +21,10 @@ std::optional<GyroModel> parse_yaml_gyro(const std::string& text, const std::str
   const std::vector<YamlValues> documents = parse_yaml_documents(text, where);
   if (documents.empty() || !documents.front().count("gyro")) return std::nullopt;
   const std::vector<double> values = yaml_numbers(documents.front(), {"gyro"}, where);
-  const bool is_right = values.size() == 4 && std::abs(values[3]) < kMostOffsetS &&
+  const bool is_right = values.size() == 4 && std::abs(values[3]) <= kMostGyroOffsetS &&
                         Eigen::Vector3d(values[0], values[1], values[2]).norm() < 200;
   if (!is_right)
-    throw InputError(where + ": gyro", "is not a rotation in degrees and an offset in seconds",
+    throw InputError(where + ": gyro", "is not a rotation in degrees and an offset in seconds, up to 0.2",
                      "write gyro: [x, y, z, offset], or remove it: a run finds it");
   GyroModel gyro = gyro_before_use();
   gyro.R_cam_gyro = rotation_of(rad(1) * Eigen::Vector3d(values[0], values[1], values[2]));

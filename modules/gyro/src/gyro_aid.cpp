@@ -8,6 +8,7 @@
 
 #include "chi_square.h"
 #include "edgevo/core/angle.h"
+#include "edgevo/core/formatted.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/rotation_vector.h"
 
@@ -40,20 +41,27 @@ GyroAid::GyroAid(const std::optional<GyroModel>& known) : model_(known), next_ca
 }
 
 void GyroAid::add(const GyroSample& sample) {
-  constexpr double kStuckS = 1;  // at rest a coarse gyro repeats its rates for some samples
   gyro_.add(sample);
-  if (stuck_.empty() && gyro_.repeated_s() > kStuckS) {
-    stuck_ = "stuck: it repeats its rates since " + to_string(sample.time) + " s";
-    reports_.push_back("gyro: " + stuck_);
-  } else if (gyro_.repeated_s() == 0) {
-    stuck_.clear();
-  }
+  if (gyro_.repeated_s() == 0) stuck_.clear();
+  if (!gyro_.rests(sample.rate)) note_stuck(sample.time);
+}
+
+// A coarse gyro repeats its rates for some samples, and one at rest for as long as it rests.
+void GyroAid::note_stuck(Timestamp time) {
+  constexpr double kStuckS = 1;
+  if (!stuck_.empty() || gyro_.repeated_s() < kStuckS) return;
+  stuck_ = formatted("stuck: it has repeated its rates for %.1f s at ", gyro_.repeated_s()) +
+           to_string(time) + " s";
+  reports_.push_back("gyro: " + stuck_);
 }
 
 void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
                   const Eigen::Matrix3d& covariance) {
   if (!has_samples() || !covariance.allFinite() || !R.coeffs().allFinite()) return;
   const SeenTurn seen{gyro_.seconds(begin), gyro_.seconds(end), R, covariance};
+  constexpr double kTurns = rad(3);  // a second
+  if (rotation_vector(R).norm() > kTurns * (seen.end - seen.begin) + 3 * std::sqrt(covariance.trace()))
+    note_stuck(end);
   if (model_) follow(seen);
   if (!model_ || !model_->is_observed()) {
     turns_.push_back(seen);
@@ -63,24 +71,29 @@ void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
 }
 
 void GyroAid::images_changed() {
-  constexpr double kOff = rad(3);  // what rows that are not straight have turned gyros by
+  // What rows that are not straight have turned gyros by, and what they have added to their rates a second.
+  constexpr double kOff = rad(3), kBiasOff = rad(3);
   turns_.clear();
   compared_.clear();
   last_.reset();
   next_calibration_ = kFirstTurns;
   if (!model_) return;
-  model_->covariance.diagonal().head<6>().array() += kOff * kOff;
+  model_->covariance.diagonal().head<3>().array() += kOff * kOff;
+  model_->covariance.diagonal().segment<3>(3).array() += kBiasOff * kBiasOff;
   was_observed_ = false;
 }
 
-// Of many turns the smallest say least.
+// Of many turns the smallest say least; of forgotten samples none.
 void GyroAid::calibrate() {
+  const auto is_forgotten = [&](const SeenTurn& t) { return t.begin - kMostGyroOffsetS < gyro_.oldest(); };
+  if (gyro_.forgets()) turns_.erase(std::remove_if(turns_.begin(), turns_.end(), is_forgotten), turns_.end());
   if (turns_.size() > kMostTurns) {
     std::vector<double> angles;
     for (const SeenTurn& t : turns_) angles.push_back(rotation_vector(t.R).squaredNorm());
     const double least = of_rank(std::move(angles), turns_.size() - kMostTurns);
     const auto is_small = [&](const SeenTurn& t) { return rotation_vector(t.R).squaredNorm() < least; };
     turns_.erase(std::remove_if(turns_.begin(), turns_.end(), is_small), turns_.end());
+    turns_.erase(turns_.begin(), turns_.end() - std::ptrdiff_t(std::min(turns_.size(), kMostTurns)));
   }
   take_fit(fit_gyro(gyro_, turns_));
   next_calibration_ = size_t(kTurnsFactor * double(turns_.size())) + 1;
@@ -94,7 +107,8 @@ void GyroAid::report_once(const std::string& line, std::string* last) {
 void GyroAid::take_fit(const GyroFit& fit) {
   using Kind = GyroFit::Kind;
   if (fit.kind == Kind::kUnknown) return;
-  if (fit.kind == Kind::kOtherRates && std::abs(std::log(fit.times / kDegrees)) < 0.2) {
+  if (fit.kind == Kind::kOtherRates && gyro_.unit() != kDegrees &&
+      std::abs(std::log(fit.times / kDegrees)) < 0.2) {
     gyro_.set_unit(kDegrees);
     reports_.push_back("gyro: its rates are in degrees a second, and are converted");
     return take_fit(fit_gyro(gyro_, turns_));
@@ -165,7 +179,8 @@ void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen
   if (compared_.size() > kCompared) compared_.pop_front();
   if (compared_.size() < kCompared / 2) return;
   const auto [gyro2, going_on2] = errors2();
-  if (gyro2 > kWorse * going_on2) refuse(gyro2, going_on2);
+  // What it states itself may be as large: a cheap one next to a camera that goes straight on.
+  if (gyro2 > kWorse * going_on2 && factor() > kWorse) refuse(gyro2, going_on2);
 }
 
 // It is calibrated anew: it may have been moved, or a file said something else.

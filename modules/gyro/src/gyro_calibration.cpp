@@ -18,7 +18,7 @@ constexpr double kSure = 14;
 // One file of ten has left-handed axes, at most.
 constexpr double kRarelyMirrored = 2.3;
 // Clocks that are further apart are not searched for; nor is the offset finer than a sample first.
-constexpr double kMostOffsetS = 0.2, kOffsetStepS = 0.01;
+constexpr double kOffsetStepS = 0.01;
 // A logarithm: rates of a gyro are off by a few per cent, those of degrees by 4.
 constexpr double kSameRates = 0.2;
 constexpr double kHuberSigmas = 2.5;
@@ -74,7 +74,7 @@ Agreement agreement_at(const GyroIntegrator& gyro, const std::vector<SeenTurn>& 
 
 Agreement best_agreement(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns) {
   Agreement best;
-  for (double offset = -kMostOffsetS; offset <= kMostOffsetS; offset += kOffsetStepS) {
+  for (double offset = -kMostGyroOffsetS; offset <= kMostGyroOffsetS; offset += kOffsetStepS) {
     const Agreement a = agreement_at(gyro, turns, offset);
     // Turns that an offset leaves without samples do not count against it.
     if (a.turns > 0 && 2 * a.turns >= best.turns && a.best() > best.best()) best = a;
@@ -160,7 +160,7 @@ GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns)
   const Agreement a = best_agreement(gyro, turns);
   if (a.turns < 3) return fit;
   fit.times = a.times;
-  const double chosen = std::log(2 * kMostOffsetS / kOffsetStepS);  // the best of so many
+  const double chosen = std::log(2 * kMostGyroOffsetS / kOffsetStepS);  // the best of so many
   if (log_odds(0, a.best(), a.turns) < kSure + chosen) {
     constexpr int kEnough = 150;  // turns: five seconds of a camera that turns
     if (a.turns >= kEnough && turns_enough(turns)) fit.kind = GyroFit::Kind::kUnrelated;

@@ -14,6 +14,8 @@ namespace {
 constexpr double kKeptS = 60;
 // Samples that noise and step are measured from, and after how many new ones that is done again.
 constexpr int kMeasured = 400, kMeasureEvery = 100;
+// Rates of a gyro at rest, rad/s: its bias, and what it rounds to nothing.
+constexpr double kRest = 0.02;
 // Median of the square of a normal variable of unit variance.
 constexpr double kMedianSquare = 0.4549;
 
@@ -29,11 +31,10 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!first_) first_ = sample.time;
   const double t = seconds(sample.time);
   if (!sample.rate.allFinite() || (!samples_.empty() && t <= samples_.back().t)) return false;
-  if (!samples_.empty() && unit_ * sample.rate == samples_.back().rate) {
-    repeated_s_ = t - samples_.back().t;
-    return false;
-  }
-  repeated_s_ = 0;
+  const bool repeats = !samples_.empty() && unit_ * sample.rate == samples_.back().rate;
+  if (!repeats) repeated_since_ = t;
+  repeated_s_ = t - repeated_since_;
+  if (repeats && !rests(sample.rate)) return false;
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
@@ -45,6 +46,8 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (++since_measured_ >= kMeasureEvery) measure_noise(), since_measured_ = 0;
   return true;
 }
+
+bool GyroIntegrator::rests(const Eigen::Vector3d& rate) const { return unit_ * rate.norm() < kRest; }
 
 void GyroIntegrator::set_unit(double rad_per_unit) {
   const double factor = rad_per_unit / unit_;

@@ -44,8 +44,9 @@ std::string to_table(const MapFigures& figures) {
 }
 
 std::string to_json(const MapFigures& figures) {
-  return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g,\n  \"bands\": ", figures.frames,
-                       figures.metres_per_unit) +
+  const std::string near = std::isfinite(figures.near_m) ? formatted_row("%g", figures.near_m) : "null";
+  return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g, \"near_m\": %s,\n  \"bands\": ",
+                       figures.frames, figures.metres_per_unit, near.c_str()) +
          json_list(figures.bands) + ",\n  \"kinds\": " + json_list(figures.kinds) + "\n}\n";
 }
 

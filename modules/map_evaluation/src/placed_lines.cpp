@@ -60,14 +60,16 @@ PlacedLines place_lines(const Run& map, const Scene& scene) {
 std::vector<DrawnPixel> draw_lines(const PlacedLines& lines, const Pinhole& pinhole, const SE3& T_scene_cam) {
   const SE3 T_cam_scene = T_scene_cam.inverse();
   std::vector<DrawnPixel> drawn;
+  double left = 0;  // of a pixel: short pieces count together
   for (size_t i = 0; i < lines.pieces.size(); ++i) {
     Eigen::Vector3d a = T_cam_scene * lines.pieces[i].a, b = T_cam_scene * lines.pieces[i].b;
     if (!clip(&a, &b)) continue;
     const Eigen::Vector2d from = pinhole.project(a), step = pinhole.project(b) - from;
-    // Pieces shorter than a pixel count with their share: every n-th of them is drawn.
     const double length = step.norm();
     if (!(length < 2.0 * (pinhole.width + pinhole.height))) continue;
-    const int pixels = std::max(1, int(std::lround(length)));
+    left += length;
+    const int pixels = int(left);
+    left -= pixels;
     for (int s = 0; s < pixels; ++s) {
       const double share = (s + 0.5) / pixels;
       const Eigen::Vector2d px = from + share * step;

@@ -56,12 +56,13 @@ std::string statement_of(const PlaceCounts& places) {
   return text;
 }
 
-void note_end(const RunResult& result, bool stopped, RunInfo* info) {
+void note_end(const RunResult& result, bool stopped, const std::optional<SE3>& T_vehicle_cam, RunInfo* info) {
   info->interrupted = result.broken || stopped;
   if (const std::string places = statement_of(result.places); !places.empty())
     info->notes.emplace_back("places", places);
   if (result.gyro.model && result.gyro.model->is_observed()) {
-    if (info->camera_file.empty()) info->camera_file = camera_yaml(info->camera, "");
+    const auto mount = T_vehicle_cam ? std::make_optional(camera_mount(*T_vehicle_cam)) : std::nullopt;
+    if (info->camera_file.empty()) info->camera_file = camera_yaml(info->camera, "", mount);
     info->camera_file += gyro_yaml(*result.gyro.model);
   }
   if (!result.gyro.statement.empty()) info->notes.emplace_back("gyro", result.gyro.statement);

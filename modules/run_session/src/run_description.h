@@ -21,7 +21,7 @@ void note_found_camera(const AutoCamera& camera, RunInfo* info);
 /// Which places were seen again, in one line; empty if none was.
 std::string statement_of(const PlaceCounts& places);
 /// How the run ended; `stopped`: by the user.
-void note_end(const RunResult& result, bool stopped, RunInfo* info);
+void note_end(const RunResult& result, bool stopped, const std::optional<SE3>& T_vehicle_cam, RunInfo* info);
 /// What was fixed to the camera at the end; null: nothing.
 void note_mask(const EgoMaskImage& own, RunInfo* info);
 

@@ -261,7 +261,7 @@ bool RunSession::finish() {
   look_for_up();
   scaling_->convert(&run);
   if (kept_map_) kept_map_->give_unit(&run);
-  note_end(result_, host_.stop(), &info_);
+  note_end(result_, host_.stop(), source_->T_vehicle_cam(), &info_);
   note_mask(ego_mask_, &info_);
   outputs_->finish(run, info_);
   trace_.close();

@@ -152,7 +152,7 @@ RotationByImage rotation_by_image(const TrackResult& found) {
 void add_turn(TrackResult* found) {
   if (!found->turn) return;
   const Eigen::Matrix<double, 6, 3> of_rotation = found->covariance.rightCols<3>();
-  const Eigen::Matrix3d both = of_rotation.bottomRows<3>() + found->turn->information.inverse();
+  const Eigen::Matrix3d both = of_rotation.bottomRows<3>() + found->turn->covariance(found->T_cur_ref);
   found->covariance -= of_rotation * both.inverse() * of_rotation.transpose();
 }
 

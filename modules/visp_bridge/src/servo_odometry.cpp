@@ -22,12 +22,14 @@ void ServoOdometry::push(const vpImage<unsigned char>& image, Timestamp time) {
 void ServoOdometry::push(const vpImage<vpRGBa>& image, Timestamp time) { push(to_gray_image(image), time); }
 
 void ServoOdometry::push_gyro(const GyroSample& sample) {
+  constexpr double kKeptS = 5;  // while no frame comes
   const std::lock_guard<std::mutex> lock(gyro_mutex_);
   gyro_.push_back(sample);
+  while (seconds_between(gyro_.front().time, sample.time) > kKeptS) gyro_.pop_front();
 }
 
 void ServoOdometry::add_gyro() {
-  std::vector<GyroSample> samples;
+  std::deque<GyroSample> samples;
   {
     const std::lock_guard<std::mutex> lock(gyro_mutex_);
     samples.swap(gyro_);

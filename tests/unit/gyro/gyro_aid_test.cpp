@@ -144,6 +144,49 @@ TEST(GyroAid, AStuckGyroIsNamedAndNotUsed) {
   EXPECT_THAT(aid.statement(), HasSubstr("stuck"));
 }
 
+// Of a robot that waits: its gyro rounds all rates to nothing.
+TEST(GyroIntegrator, RatesThatRepeatAtRestAreNoGap) {
+  for (const double rate : {0.0, 0.5}) {
+    GyroIntegrator gyro;
+    for (int i = 0; i < 500; ++i)
+      gyro.add({Timestamp::from_seconds(0.01 * i), Eigen::Vector3d(0, i < 100 ? 0.001 * i + 1 : rate, 0)});
+    const auto turn = gyro.rotation(2, 4, {});
+    ASSERT_EQ(turn.has_value(), rate == 0) << "else it is stuck";
+    if (turn) {
+      EXPECT_LT(rotation_vector(turn->R).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(GyroAid, OneThatRepeatsItsRatesAtRestIsNotStuck) {
+  GyroAid aid;
+  for (int i = 0; i < 300; ++i) {
+    const Timestamp now = Timestamp::from_seconds(0.01 * i), next = Timestamp::from_seconds(0.01 * (i + 1));
+    aid.add({next, Eigen::Vector3d(0.001, 0, 0)});
+    aid.see(now, next, Eigen::Quaterniond::Identity(), 1e-8 * Eigen::Matrix3d::Identity());
+  }
+  EXPECT_THAT(aid.take_reports(), IsEmpty());
+}
+
+// Longer than samples are kept: turns of the first minute say nothing any more.
+TEST(GyroAid, OnOneAxisItIsFollowedForMinutes) {
+  Placed b;
+  b.one_axis = true;
+  b.seconds = 150;
+  b.kind = "drone";
+  double last = 0;
+  const GyroAid aid = follow(b, gyro_of(b), [&](double t, const GyroAid& now) {
+    const auto turn = now.turn(Timestamp::from_seconds(t - kFrame), Timestamp::from_seconds(t));
+    if (!turn) return;
+    last = t;
+    const Eigen::Quaterniond truth =
+        hand_at(t, true).rotation().conjugate() * hand_at(t - kFrame, true).rotation();
+    const double off = rotation_vector(turn->R * truth.conjugate()).norm();
+    EXPECT_LT(t > 100 ? off : 0, rad(0.1)) << t;
+  });
+  EXPECT_GT(last, 149) << aid.statement();
+}
+
 TEST(GyroAid, OneThatTurnsWithSomethingElseIsNamedAndNotUsed) {
   Placed b;
   b.change = [](size_t i, GyroSample* s) { s->rate = Eigen::Vector3d(std::sin(0.05 * double(i)), 0.1, 0); };

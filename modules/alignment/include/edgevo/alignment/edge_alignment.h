@@ -53,6 +53,8 @@ struct RotationPrior {
   Eigen::Vector3d beyond(const SE3& T_cur_ref) const;
   /// Its weight in the equations of an alignment, px^2 rad^-2, at a pose.
   Eigen::Matrix3d weight(const SE3& T_cur_ref) const;
+  /// Its covariance as a measurement at a pose, rad^2: larger where it is far off.
+  Eigen::Matrix3d covariance(const SE3& T_cur_ref) const;
   /// Its cost at a pose, px^2.
   double cost(const SE3& T_cur_ref) const;
 };

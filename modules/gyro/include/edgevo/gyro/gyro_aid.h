@@ -56,6 +56,7 @@ class GyroAid {
     double sigmas2;                 // of the gyro's, in its covariance
   };
 
+  void note_stuck(Timestamp time);
   void calibrate();
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);

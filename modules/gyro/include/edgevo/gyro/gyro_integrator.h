@@ -40,19 +40,26 @@ struct GyroRotation {
 /// of the first sample.
 class GyroIntegrator {
  public:
-  /// Takes the next sample. One that is not after the one before, is not finite, or repeats the rates before
-  /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was.
+  /// Takes the next sample. One that is not after the one before, is not finite, or turns as the one before
+  /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was. At rest many
+  /// repeat their rates.
   bool add(const GyroSample& sample);
+  /// Whether these rates, as measured, are those of a gyro at rest.
+  bool rests(const Eigen::Vector3d& rate) const;
   /// For how long the rates have been the same, seconds.
   double repeated_s() const { return repeated_s_; }
-  /// Multiplies all rates from now on: the unit.
+  /// Multiplies all rates from now on: the unit, rad/s.
   void set_unit(double rad_per_unit);
+  double unit() const { return unit_; }
   /// Seconds of a time from that of the first sample.
   double seconds(Timestamp time) const { return first_ ? seconds_between(*first_, time) : 0; }
   /// Whether a sample was taken.
   bool has_samples() const { return first_.has_value(); }
-  /// Time of the newest sample; 0 without one.
+  /// Times of the newest and the oldest sample that is kept; 0 without one. Whether older ones were
+  /// forgotten.
   double newest() const { return samples_.empty() ? 0 : samples_.back().t; }
+  double oldest() const { return samples_.empty() ? 0 : samples_.front().t; }
+  bool forgets() const { return oldest() > 0; }
 
   /// Rotation from `begin` to `end`, seconds; nothing where samples are missing for kMaxGapS, or are
   /// forgotten. Cost: 0.15 microseconds a sample.
@@ -88,7 +95,7 @@ class GyroIntegrator {
   std::deque<Sample> samples_;
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
-  double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0;
+  double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0, repeated_since_ = 0;
   int since_measured_ = 0;
 };
 

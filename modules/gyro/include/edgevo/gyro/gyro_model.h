@@ -11,6 +11,8 @@ namespace edgevo {
 
 /// Unknowns of a GyroModel: rotation (3), bias (3), offset, scales (3).
 constexpr int kGyroUnknowns = 10;
+/// Clocks of gyro and camera may differ by this, seconds: more is another recording's.
+constexpr double kMostGyroOffsetS = 0.2;
 /// Covariance of these.
 using GyroCovariance = Eigen::Matrix<double, kGyroUnknowns, kGyroUnknowns>;
 /// Derivative of a rotation by these.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "edgevo/core/gyro_sample.h"
+#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/odometry/odometry.h"
 
 namespace edgevo {
@@ -16,7 +17,7 @@ class GyroFeed {
 
   /// Passes on the samples up to the time of the next frame, and as much after it as clocks may differ.
   void feed_until(Timestamp time, Odometry* odometry) {
-    constexpr double kAfterS = 0.3;
+    constexpr double kAfterS = kMostGyroOffsetS + 0.1;  // and a sample of a slow one
     for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
   }
 

@@ -45,7 +45,7 @@ class MotionModel {
 
   /// Must be called first for each frame.
   void begin_frame(Timestamp time);
-  /// What another sensor says of the rotation, after begin_frame(); nothing: it constant velocity.
+  /// What another sensor says of the rotation, after begin_frame(); nothing: constant velocity gives it.
   void know_rotation(const std::optional<KnownRotation>& known) { known_ = known; }
   /// Adopts a frame's pose; after a gap the velocity is the mean over the gap.
   void follow(const SE3& T_cur_ref);

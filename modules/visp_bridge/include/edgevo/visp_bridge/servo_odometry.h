@@ -13,6 +13,7 @@
 #include <visp3/core/vpRGBa.h>
 
 #include <atomic>
+#include <deque>
 #include <mutex>
 #include <vector>
 
@@ -64,9 +65,9 @@ class ServoOdometry {
   bool has_failed_ = false;
   int next_index_ = 0;  // of the camera's thread
   std::atomic<int> replaced_{0};
-  std::mutex gyro_mutex_;         // guards gyro_
-  std::vector<GyroSample> gyro_;  // since the frame before
-  Worker worker_;                 // last member: it ends before the others
+  std::mutex gyro_mutex_;        // guards gyro_
+  std::deque<GyroSample> gyro_;  // since the frame before
+  Worker worker_;                // last member: it ends before the others
 };
 
 }  // namespace edgevo
