@@ -50,6 +50,7 @@ class GyroIntegrator {
   double repeated_s() const { return repeated_s_; }
   /// Multiplies all rates from now on: the unit, rad/s.
   void set_unit(double rad_per_unit);
+  /// The unit of the rates as measured, rad/s.
   double unit() const { return unit_; }
   /// Seconds of a time from that of the first sample.
   double seconds(Timestamp time) const { return first_ ? seconds_between(*first_, time) : 0; }
@@ -58,7 +59,9 @@ class GyroIntegrator {
   /// Times of the newest and the oldest sample that is kept; 0 without one. Whether older ones were
   /// forgotten.
   double newest() const { return samples_.empty() ? 0 : samples_.back().t; }
+  /// Time of the oldest sample that is kept; 0 without one.
   double oldest() const { return samples_.empty() ? 0 : samples_.front().t; }
+  /// Whether older ones were forgotten.
   bool forgets() const { return oldest() > 0; }
 
   /// Rotation from `begin` to `end`, seconds; nothing where samples are missing for kMaxGapS, or are
