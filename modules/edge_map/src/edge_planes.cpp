@@ -87,8 +87,11 @@ EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) : size_(int(sample
     const double w = 1 / (s.sigma() * s.sigma());
     A += w * x * x.transpose(), b += w * s.idepth * x, shared += w * s.common * x;
   }
+  constexpr double kRounding = 1e-12;  // of a 3x3 system: samples on a line
   const Eigen::LDLT<Eigen::Matrix3d> solver(A);
-  if (solver.info() != Eigen::Success || !(solver.vectorD().minCoeff() > 0)) return;
+  if (solver.info() != Eigen::Success ||
+      !(solver.vectorD().minCoeff() > kRounding * solver.vectorD().maxCoeff()))
+    return;
   plane_ = solver.solve(b), bias_ = solver.solve(shared);
   covariance_ = solver.solve(Eigen::Matrix3d::Identity());
   double squares = 0, weights = 0;

@@ -6,23 +6,24 @@
 namespace edgevo {
 namespace {
 
-constexpr int kMinInBlock = 4;     // edges that show whether a block moves
-constexpr double kMinStill = 0.7;  // share of a block's edges that keep their place
-constexpr double kStaysStill =
-    0.7;                           // share of the blocks, from image to image: at once, not little by little
-constexpr double kAllStill = 0.7;  // share of the blocks: what crosses has not come yet
-constexpr int kMinImages = 2;      // for one, every slow camera stands
+constexpr int kMinInBlock = 4;  // edges that show whether a block moves
+// Share that keeps its place: of a block's edges; of all blocks, before anything has crossed; and of those
+// that stood, from image to image: what crosses covers them little by little, a camera that starts moves all
+// at once.
+constexpr double kMinStill = 0.7;
+constexpr int kMinImages = 2;          // for one, every slow camera stands
 constexpr double kMinStanding = 0.05;  // share of the blocks that are still before a camera that stands
 constexpr int kMaxCrossing = 30;       // images in which most of the view moves that was not seen to stand
 
 }  // namespace
 
-// What crosses the view covers, little by little, what stood still all over it.
-bool ViewMotion::shows_fixed_part(int still) {
-  was_all_still_ = stands_ && (was_all_still_ || still >= kAllStill * voting_);
+// What crosses the view covers, little by little, what stood still all over it; else the rest is fixed to a
+// camera that moves.
+void ViewMotion::end_standstill_of_fixed_part(int still) {
+  was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
   const bool may_be_fixed = stands_ && !was_all_still_;
   crossed_images_ = may_be_fixed ? crossed_images_ + (2 * moving_ > voting_) : 0;
-  return crossed_images_ > kMaxCrossing;
+  if (crossed_images_ > kMaxCrossing) stands_ = false;
 }
 
 void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {
@@ -48,9 +49,9 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
     stood_blocks += stood[i];
     still_standing += stood[i] && still_[i];
   }
-  stands_ = stands_ ? still_standing >= kStaysStill * stood_blocks && still >= kMinStanding * voting_
+  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * voting_
                     : voting_ > 0 && 2 * still >= voting_;
-  if (shows_fixed_part(still)) stands_ = false;
+  end_standstill_of_fixed_part(still);
   standing_ = stands_ ? standing_ + 1 : 0;
   since_moving_ = stands_ || moving_ <= still ? since_moving_ + 1 : 0;
 }

@@ -29,10 +29,10 @@ class ViewMotion {
   StillCells still_cells() const;
 
  private:
+  void end_standstill_of_fixed_part(int still);
+
   int voting_ = 0, moving_ = 0;
   int standing_ = 0, since_moving_ = 0;  // images
-  bool shows_fixed_part(int still);
-
   bool stands_ = false;
   std::vector<uint8_t> moves_, still_;
   // Of a camera that stands: whether nearly all was seen to stand still; if not, images in which most moved.

@@ -7,8 +7,8 @@
 namespace edgevo {
 
 /// The part of a view that stands still while the camera seems to stand: cells over the image, known from the
-/// edges and the steepest pixels between them. They have kept their place, within half a pixel of that level,
-/// since before the camera seemed to stand.
+/// edges and the steepest pixels between them. They have kept their place, within half a pixel of the
+/// coarsest level with edges, since before the camera seemed to stand.
 struct StillCells {
   /// Number of cells across and down; 0: the view moves.
   int columns = 0, rows = 0;
