@@ -98,6 +98,22 @@ sed "s/^seeds: .*/seeds: $seed/" long.yaml >first_job.yaml
 run_code 0 "$edgevo" bench first_job.yaml -o cut
 check "finished jobs do not run again" "$(grep -c '^1 jobs: 0 run, 1 done before' stdout)" -eq 1
 
+# An engine that never ends at SIGTERM, as Snakemake 7 may when the signal meets a lock of its own.
+mkdir deaf
+printf '#!/bin/sh\ntrap "" TERM\ntrap "exit 1" INT\ntouch %s/waits\nwhile :; do sleep 0.1; done\n' "$work" >deaf/snakemake
+chmod +x deaf/snakemake
+PATH="$work/deaf:$PATH" "$edgevo" bench long.yaml -o ended >stdout 2>stderr </dev/null &
+pid=$!
+eventually test -e waits
+kill -TERM $pid
+eventually sh -c "! kill -0 $pid 2>/dev/null"
+if kill -0 $pid 2>/dev/null; then
+  fail "a benchmark whose engine waits for ever does not end"
+  kill -KILL $pid
+fi
+wait $pid
+check "exit code where the engine waits for ever" $? -eq 2
+
 # The scenes of a day: the rule gives a number, which the table names and another day repeats.
 printf 'scene_seed: days_since 2026-01-01\nseeds: 7\nsequences:\n  cars:\n    source: scene:parked_cars\n    frames: 0:12\n' >unseen.yaml
 days=$((($(date -u +%s) - $(date -u -d 2026-01-01 +%s)) / 86400))

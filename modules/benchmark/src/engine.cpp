@@ -9,12 +9,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <thread>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
@@ -105,18 +107,43 @@ bool read_steps(const std::string& line, int* done, int* all) {
   return std::sscanf(line.c_str(), "%d of %d steps", done, all) == 2;
 }
 
-// Reads the output of Snakemake line by line and forwards a signal once.
+// Ends Snakemake and its jobs once the user wants that. SIGTERM lets jobs end by themselves. Snakemake 7 may
+// then wait for ever: its handler takes a lock that the interrupted thread may hold (scheduler.py,
+// exit_gracefully). SIGINT raises KeyboardInterrupt there, which releases it.
+class GroupEnd {
+ public:
+  GroupEnd(pid_t group, const std::function<bool()>& stop) : group_(group), stop_(stop) {}
+
+  void pass_on() {
+    using std::chrono::steady_clock, std::chrono::seconds;
+    if (!stop_()) return;
+    const auto now = steady_clock::now();
+    if (next_ == steady_clock::time_point{})
+      kill(-group_, SIGTERM);
+    else if (now >= next_)
+      kill(group_, SIGINT);
+    else
+      return;
+    next_ = now + seconds(10);  // longer than a job takes to write what it has
+  }
+
+ private:
+  pid_t group_;
+  const std::function<bool()>& stop_;
+  std::chrono::steady_clock::time_point next_;
+};
+
+// Reads the output of Snakemake line by line.
 class Listener {
  public:
-  Listener(pid_t group, const std::string& log, const std::function<bool()>& stop)
-      : group_(group), log_(log), stop_(stop) {}
+  Listener(const std::string& log, GroupEnd* end) : log_(log), end_(end) {}
 
   void listen(int input) {
     char buffer[4096];
     for (ssize_t count = 1; count != 0;) {
       pollfd waiting{input, POLLIN, 0};
       const int ready = poll(&waiting, 1, 200);
-      pass_signal_on();
+      end_->pass_on();
       if (ready <= 0) continue;
       count = read(input, buffer, sizeof buffer);
       if (count > 0) take({buffer, size_t(count)});
@@ -124,11 +151,6 @@ class Listener {
   }
 
  private:
-  void pass_signal_on() {
-    if (!stop_() || signal_sent_) return;
-    signal_sent_ = true;
-    kill(-group_, SIGTERM);
-  }
   void take(const std::string& bytes) {
     log_.write(bytes);
     begun_ += bytes;
@@ -141,25 +163,26 @@ class Listener {
     if (on_terminal_) std::fprintf(stderr, "\r%d of %d jobs \033[K%s", done, all, done >= all ? "\n" : "");
   }
 
-  pid_t group_;
   OutputFile log_;
-  const std::function<bool()>& stop_;
+  GroupEnd* end_;
   std::string begun_;
   const bool on_terminal_ = isatty(STDERR_FILENO) == 1;
-  bool signal_sent_ = false;
 };
 
-int wait_for(pid_t child, const std::function<bool()>& stop) {
+int wait_for(pid_t child, GroupEnd* end) {
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    if (stop()) kill(-child, SIGTERM);
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    end->pass_on();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   return status;
 }
 
 int dry_run(const std::vector<std::string>& words, const std::function<bool()>& stop) {
   std::fflush(stdout);
-  return wait_for(start(words, -1), stop);
+  const pid_t child = start(words, -1);
+  GroupEnd end(child, stop);
+  return wait_for(child, &end);
 }
 
 int run_logged(const std::vector<std::string>& words, const std::string& log,
@@ -168,9 +191,10 @@ int run_logged(const std::vector<std::string>& words, const std::string& log,
   if (pipe2(ends, O_CLOEXEC) != 0) throw InputError("pipe", std::strerror(errno), "close other programs");
   const pid_t child = start(words, ends[1]);
   close(ends[1]);
-  Listener(child, log, stop).listen(ends[0]);
+  GroupEnd end(child, stop);
+  Listener(log, &end).listen(ends[0]);
   close(ends[0]);
-  return wait_for(child, stop);
+  return wait_for(child, &end);
 }
 
 }  // namespace
