@@ -50,10 +50,7 @@ FrameEvidence evidence_of(const CsvTable& row) {
   e.focal_error = row.number("focal_error", true),
   e.focal_error_sigma = row.number("focal_error_sigma", true);
   if (count_of(row, "corners")) e.corners = corners_of(row);
-  if (const double moved = row.number("adjusted_move"); count_of(row, "adjusted_points")) {
-    e.adjustment.emplace();
-    e.adjustment->moved = moved;
-  }
+  e.moved_by_map = row.number("moved_by_map");
   return e;
 }
 
@@ -71,13 +68,12 @@ void replay(const std::string& folder, TrustRun* run) {
     if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
       if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map();
       history.add({*frame.T_world_cam, {}, 1, evidence.stands});
-      const FrameConfidence confidence = trust.add({evidence, frame.segment, history.newest()});
+      const FrameConfidence confidence = trust.add({evidence, history.newest()});
       run->doubts.back() = confidence.doubts, run->p_wrong_focal_length.back() = confidence.p_wrong_focal_length;
       frame.state = frame_status(evidence, StatusParams()).state;
     } else {
       history.interrupt();
     }
-    if (evidence.adjustment) trust.add_adjustment(*evidence.adjustment);
   }
 }
 

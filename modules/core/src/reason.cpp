@@ -80,15 +80,15 @@ const char* pattern_of(ReasonKind kind) {
       return "edges are %.1f px off where the map puts them";
     case ReasonKind::kLittleInformation:
       return "edges hardly determine the motion (%.1f %% of the depth, or of a radian)";
-    case ReasonKind::kAdjustment:
-      return "keyframes were tracked worse than expected";
+    case ReasonKind::kMapMoved:
+      return "the map moved under the camera within 10 frames (by %.1f %% of the depth)";
   }
   return "";
 }
 
 bool is_share(ReasonKind kind) {
   return kind == ReasonKind::kFewAgree || kind == ReasonKind::kFocalLength ||
-         kind == ReasonKind::kLittleInformation;
+         kind == ReasonKind::kLittleInformation || kind == ReasonKind::kMapMoved;
 }
 
 }  // namespace

@@ -79,11 +79,11 @@ enum class ReasonKind : uint8_t {
   kResidual,
   /// Largest standard deviation of the pose, as a share of the depth or in radians.
   kLittleInformation,
-  /// Keyframes were tracked worse than expected.
-  kAdjustment,
+  /// Length by which adjustments have moved the camera within ten frames, as a share of the depth.
+  kMapMoved,
 };
 /// The last kind.
-inline constexpr ReasonKind kLastReasonKind = ReasonKind::kAdjustment;
+inline constexpr ReasonKind kLastReasonKind = ReasonKind::kMapMoved;
 
 /// A reason; a number that its kind does not have is NaN.
 struct Reason {
