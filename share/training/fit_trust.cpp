@@ -30,7 +30,7 @@ std::vector<EvaluatedMotion> samples_of(const TrustRun& run) {
   for (size_t i = 0; i < run.evaluation.frames.size(); ++i) {
     const FrameError& v = run.evaluation.frames[i];
     if (!v.is_evaluated || v.end < 0 || size_t(v.end) != i + 10 || !run.doubts[size_t(v.end)] ||
-        run.p_wrong_focal_length[size_t(v.end)] > 0.5)
+        run.p_wrong_otherwise[size_t(v.end)] > 0.5)
       continue;
     samples.push_back({*run.doubts[size_t(v.end)], v.wrong});
   }
@@ -64,7 +64,7 @@ FittedTrust fit_to(const Runs& runs) {
 
 // Of a frame that the trust was built for.
 double p_right_by(const FittedTrust& fitted, const TrustRun& run, size_t frame) {
-  return fitted.sum.p_right(*run.doubts[frame]) * (1 - run.p_wrong_focal_length[frame]);
+  return fitted.sum.p_right(*run.doubts[frame]) * (1 - run.p_wrong_otherwise[frame]);
 }
 
 // The reported of a run with p_right by a fit; below `bound` the state is DEGRADED.

@@ -50,11 +50,10 @@ FrameEvidence evidence_of(const CsvTable& row) {
   e.focal_error = row.number("focal_error", true),
   e.focal_error_sigma = row.number("focal_error_sigma", true);
   if (count_of(row, "corners")) e.corners = corners_of(row);
-  if (const double moved = row.number("adjusted_move"); count_of(row, "adjusted_points")) {
+  e.moved_by_map = row.number("moved_by_map");
+  if (const double sigma = row.number("adjusted_unit_sigma", true); std::isfinite(sigma)) {
     e.adjustment.emplace();
-    e.adjustment->moved = moved;
-    const double sigma = row.number("adjusted_unit_sigma", true);
-    e.adjustment->unit_variance = std::isfinite(sigma) ? sigma * sigma : 0;
+    e.adjustment->unit_variance = sigma * sigma;
   }
   return e;
 }
@@ -67,14 +66,16 @@ void replay(const std::string& folder, TrustRun* run) {
   int segment = -1;
   for (ReportedFrame& frame : run->reported) {
     run->doubts.emplace_back();
-    run->p_wrong_focal_length.push_back(0);
+    run->p_wrong_otherwise.push_back(0);
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
     if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
       if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map();
       history.add({*frame.T_world_cam, {}, 1, evidence.stands});
-      const FrameConfidence confidence = trust.add({evidence, frame.segment, history.newest()});
-      run->doubts.back() = confidence.doubts, run->p_wrong_focal_length.back() = confidence.p_wrong_focal_length;
+      const FrameConfidence confidence = trust.add({evidence, history.newest()});
+      run->doubts.back() = confidence.doubts;
+      run->p_wrong_otherwise.back() =
+          1 - (1 - confidence.p_wrong_focal_length) * (1 - confidence.p_wrong_unit);
       frame.state = frame_status(evidence, StatusParams()).state;
     } else {
       history.interrupt();

@@ -20,7 +20,7 @@ struct TrustRun {
   /// Inconsistencies of each frame that the trust was built for.
   std::vector<std::optional<Inconsistencies>> doubts;
   /// Probability that a wrong focal length has bent the turn, of each frame.
-  std::vector<double> p_wrong_focal_length;
+  std::vector<double> p_wrong_otherwise;
   /// Ground truth.
   Trajectory truth;
   /// Evaluation of the live poses; noticed and alarm are those by the image alone.

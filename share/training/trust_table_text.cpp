@@ -14,13 +14,12 @@ struct Description {
   const char* unit;
 };
 constexpr std::array<Description, kConsistencyTests> kDescriptions{{
-    {"kRotation", "rotation", "log odds"},
+    {"kCorners", "corners", "log odds"},
     {"kTurn", "turn", "log odds"},
-    {"kUnit", "unit", "log ratio"},
     {"kStep", "step", "log ratio"},
     {"kResidual", "residual", "log of pixels"},
     {"kInformation", "information", "decades"},
-    {"kAdjustment", "adjustment", "log of squared sigmas"},
+    {"kMap", "map", "log of tolerances"},
 }};
 
 }  // namespace

@@ -39,26 +39,32 @@ double log_odds(double probability) {
   return std::log(p / (1 - p));
 }
 
-double evidence_of_rotation(const CornerEvidence& c) {
-  return log_odds(probability_beyond(c.rotation_deg, c.rotation_sigma_deg, kMotionTolerance.rotation_deg));
+double translation_tolerance(double length_depths) {
+  return std::max(kMotionTolerance.share_of_depth, kMotionTolerance.share_of_length * length_depths);
+}
+
+double evidence_of_corners(const CornerEvidence& c, double length_depths) {
+  const double share = translation_tolerance(length_depths) / length_depths;
+  const double translation = probability_beyond(c.motion_error, c.motion_sigma, share),
+               rotation =
+                   probability_beyond(c.rotation_deg, c.rotation_sigma_deg, kMotionTolerance.rotation_deg);
+  return log_odds(1 - (1 - rotation) * (std::isnan(translation) ? 1 : 1 - translation));
+}
+
+double evidence_of_map(double moved_depths, double length_depths) {
+  constexpr double kNothing = 0.05;  // tolerances
+  const double times = moved_depths / translation_tolerance(length_depths);
+  return std::isfinite(times) ? std::log(std::max(times, kNothing)) : CornerEvidence::kUnknown;
 }
 
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad) {
   if (!std::isfinite(length_depths)) return CornerEvidence::kUnknown;
-  const double tolerance =
-      std::max(kMotionTolerance.share_of_depth, kMotionTolerance.share_of_length * length_depths);
-  return log_odds(probability_beyond(0, error_per_rad * turn_rad, tolerance));
+  return log_odds(probability_beyond(0, error_per_rad * turn_rad, translation_tolerance(length_depths)));
 }
 
 double change_of_step(double recent, double usual, double median_depth, double small_step) {
   const double small = std::isfinite(median_depth) ? small_step * median_depth : 0.1 * usual;
   return std::log((recent + small) / (usual + small));
-}
-
-double evidence_of_unit(const CornerEvidence& c, double step_change) {
-  const double by_corners = std::abs(c.change_10) - c.change_10_sigma;
-  if (!std::isfinite(by_corners) || !std::isfinite(step_change)) return CornerEvidence::kUnknown;
-  return c.change_10 * step_change < 0 ? std::clamp(by_corners, 0.0, std::abs(step_change)) : 0;
 }
 
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg) {

@@ -15,21 +15,24 @@ double probability_beyond(double mean, double sigma, double tolerance);
 /// Natural logarithm of the odds; no measurement is surer than one in a thousand.
 double log_odds(double probability);
 
-/// Log odds of a wrong rotation over ten frames (3 degrees), by corners.
-double evidence_of_rotation(const CornerEvidence& c);
+/// Largest error of a right translation over ten frames, median depths: a quarter of its length, or 2 % of
+/// the depth. `length_depths`: length of the motion, median depths.
+double translation_tolerance(double length_depths);
+/// Log odds of a wrong motion over ten frames by corners: of a translation beyond the tolerance, or a
+/// rotation beyond 3 degrees. Corners that are few, far or without a unit have a large standard deviation.
+double evidence_of_corners(const CornerEvidence& c, double length_depths);
+/// By how much adjustments of keyframes moved the camera within the ten frames (`moved_depths`, median
+/// depths): natural logarithm of tolerances. Less than a twentieth is nothing.
+double evidence_of_map(double moved_depths, double length_depths);
 /// Log odds of a wrong translation that the turn over ten frames hides (2 % of the depth and a quarter of the
 /// length): rows read out one after another, a residual distortion and wrong depths all make a turn look like
 /// a translation in proportion to it, for edges and for corners alike. `error_per_rad`: its standard
-/// deviation, median depths per radian. `length_depths`: length of the motion, median depths.
+/// deviation, median depths per radian.
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad);
 /// Natural logarithm of the recent mean step over the usual one; negative for shorter steps. Steps up to
 /// `small_step` median depths do not count.
 double change_of_step(double recent, double usual, double median_depth,
                       double small_step = StepGateParams().small);
-/// Natural logarithm of the factor by which the map's unit has changed: by which steps are unlike those
-/// before and corners move on as before. Where steps go on as before it is the corners that are wrong. 0:
-/// none.
-double evidence_of_unit(const CornerEvidence& c, double step_change);
 /// Probability that a turn over ten frames, `turn_deg`, is wrong by a wrong focal length (3 degrees): a turn
 /// is the way of the image over the focal length. `focal_error`: true focal length over the camera's, less 1.
 /// A vague estimate speaks against few files: most are right.

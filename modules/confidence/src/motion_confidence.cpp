@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "consistency_tests.h"
 #include "edgevo/core/angle.h"
@@ -42,25 +41,29 @@ ConsistencyTest largest_contribution(const Inconsistencies& doubts) {
       ->doubt;
 }
 
+// Which of the two that corners contradict: the rotation beyond its tolerance, else the length.
+Reason reason_of(const CornerEvidence& c) {
+  if (!(c.rotation_deg <= kMotionTolerance.rotation_deg) || std::isnan(c.change_10))
+    return {ReasonKind::kRotationByCorners, c.rotation_deg};
+  return {ReasonKind::kScaleByCorners, std::exp(-c.change_10), 10.0};
+}
+
 Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {
-  const CornerEvidence c = e.corners.value_or(CornerEvidence());
   switch (doubt) {
-    case ConsistencyTest::kRotation:
-      return {ReasonKind::kRotationByCorners, c.rotation_deg};
+    case ConsistencyTest::kCorners:
+      return reason_of(e.corners.value_or(CornerEvidence()));
     case ConsistencyTest::kTurn:
       return {ReasonKind::kTurn};
-    case ConsistencyTest::kUnit:
-      return {ReasonKind::kScaleByCorners, std::exp(-c.change_10), 10.0};
     case ConsistencyTest::kStep:
       return {ReasonKind::kSteps};
     case ConsistencyTest::kResidual:
       return {ReasonKind::kResidual, e.residual_px};
     case ConsistencyTest::kInformation:
       return {ReasonKind::kLittleInformation, e.pose_sigmas.back()};
-    case ConsistencyTest::kAdjustment:
+    case ConsistencyTest::kMap:
       break;
   }
-  return {ReasonKind::kAdjustment};
+  return {ReasonKind::kMapMoved, e.moved_by_map};
 }
 
 Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e) {
@@ -75,11 +78,6 @@ double p_right(const Inconsistencies& doubts, double p_wrong_otherwise) {
   return (1 - p_wrong_otherwise) / (1 + std::exp(log_odds_of_wrong(doubts)));
 }
 
-void MotionConfidence::add_adjustment(const AdjustmentEvidence& adjustment) {
-  moved_.add(adjustment.moved);
-  new_variance_ += adjustment.unit_variance;
-}
-
 double MotionConfidence::carried_unit_sigma() {
   unit_variances_.add(std::exchange(new_variance_, 0));
   return std::sqrt(unit_variances_.mean() * double(unit_variances_.size()));
@@ -88,11 +86,6 @@ double MotionConfidence::carried_unit_sigma() {
 FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const FrameEvidence& e = frame.evidence;
   const MotionHistory::Newest& motion = frame.motion;
-  if (std::exchange(segment_, frame.segment) != frame.segment) {
-    moved_.clear();
-    unit_variances_.clear();
-    new_variance_ = 0;
-  }
   decades_.add(decades_of(e.pose_sigmas.back()));
   if (e.residual_px > 0) residuals_.add(e.residual_px);
 
@@ -100,17 +93,17 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const auto set = [&](ConsistencyTest doubt, double value) {
     trust.doubts[size_t(doubt)] = std::isfinite(value) ? value : trust_table::kTerms[size_t(doubt)].usual;
   };
-  const CornerEvidence corners = e.corners.value_or(CornerEvidence());
-  const double change =
-      e.stands ? 0.0 : change_of_step(motion.recent, motion.usual, e.median_depth, params_.step.small);
-  set(ConsistencyTest::kRotation, evidence_of_rotation(corners));
-  set(ConsistencyTest::kTurn,
-      evidence_of_turn(motion.turn_rad, motion.length / e.median_depth, params_.turn_error));
-  set(ConsistencyTest::kUnit, evidence_of_unit(corners, change));
+  const double length = motion.length / e.median_depth,
+               change = e.stands
+                            ? 0.0
+                            : change_of_step(motion.recent, motion.usual, e.median_depth, params_.step.small);
+  set(ConsistencyTest::kCorners, evidence_of_corners(e.corners.value_or(CornerEvidence()), length));
+  set(ConsistencyTest::kTurn, evidence_of_turn(motion.turn_rad, length, params_.turn_error));
   set(ConsistencyTest::kStep, std::abs(change));
   set(ConsistencyTest::kResidual, std::log(residuals_.mean()));
   set(ConsistencyTest::kInformation, decades_.mean());
-  set(ConsistencyTest::kAdjustment, std::log(moved_.mean()));
+  if (const double moved = evidence_of_map(e.moved_by_map, length); std::isfinite(moved)) moved_.add(moved);
+  set(ConsistencyTest::kMap, moved_.quantile(1, 1));
   trust.p_wrong_focal_length =
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
   trust.unit_sigma = carried_unit_sigma();

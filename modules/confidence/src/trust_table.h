@@ -17,18 +17,17 @@ struct Term {
   double weight, usual;
 };
 constexpr std::array<Term, kConsistencyTests> kTerms{{
-    {ConsistencyTest::kRotation, "rotation", "log odds", 0.1614, -6.5232},
-    {ConsistencyTest::kTurn, "turn", "log odds", 0.4200, -6.5113},
-    {ConsistencyTest::kUnit, "unit", "log ratio", 2.7383, 0.0164},
-    {ConsistencyTest::kStep, "step", "log ratio", 1.4528, 0.1495},
-    {ConsistencyTest::kResidual, "residual", "log of pixels", 3.0355, -0.3387},
-    {ConsistencyTest::kInformation, "information", "decades", 4.3451, -3.1670},
-    {ConsistencyTest::kAdjustment, "adjustment", "log of squared sigmas", 0.2905, 0.1815},
+    {ConsistencyTest::kCorners, "corners", "log odds", 0.2593, -4.1703},
+    {ConsistencyTest::kTurn, "turn", "log odds", 0.4830, -6.5110},
+    {ConsistencyTest::kStep, "step", "log ratio", 1.5438, 0.1498},
+    {ConsistencyTest::kResidual, "residual", "log of pixels", 1.3951, -0.3390},
+    {ConsistencyTest::kInformation, "information", "decades", 4.1662, -3.1669},
+    {ConsistencyTest::kMap, "map", "log of tolerances", 0.9512, -2.2847},
 }};
 /// Log odds of a wrong motion where all is as usual.
-constexpr double kBias = -5.1919;
+constexpr double kBias = -6.4862;
 
 /// Value of p_right below which a frame is doubtful.
-constexpr double kDoubtfulBelow = 0.4966;
+constexpr double kDoubtfulBelow = 0.7108;
 
 }  // namespace edgevo::trust_table

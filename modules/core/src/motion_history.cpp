@@ -14,6 +14,7 @@ namespace edgevo {
 
 void MotionHistory::add(const Tracked& frame) {
   add_measured(frame.T_cur_last, frame.frames, frame.held);
+  T_cam_path_ = frame.T_cur_last * T_cam_path_;
   add_in_map(frame.T_map_cam, frame.stands);
 }
 
@@ -34,16 +35,20 @@ void MotionHistory::add_measured(const SE3& T_cur_last, int frames, bool held) {
 void MotionHistory::add_in_map(const SE3& T_map_cam, bool stands) {
   constexpr size_t kPoses = size_t(kMotionTolerance.frames) + 1, kRecentSteps = 5;
   newest_ = {};
-  if (!poses_.empty()) newest_.step = (T_map_cam.translation() - poses_.back().translation()).norm();
+  if (!poses_.empty())
+    newest_.step = (T_map_cam.translation() - poses_.back().T_map_cam.translation()).norm();
   newest_.usual_before = in_map_.quantile(0.5);
   if (!stands) in_map_.add(newest_.step);
   newest_.usual = in_map_.median();
   newest_.recent = in_map_.mean(kRecentSteps);
-  poses_.push_back(T_map_cam);
+  poses_.push_back({T_map_cam, T_cam_path_});
   if (poses_.size() > kPoses) poses_.pop_front();
-  const SE3 &from = poses_.front(), &to = poses_.back();
-  newest_.turn_rad = from.rotation().angularDistance(to.rotation());
-  newest_.length = (to.translation() - from.translation()).norm();
+  const Placed &from = poses_.front(), &to = poses_.back();
+  const SE3 in_map = to.T_map_cam.inverse() * from.T_map_cam,
+            measured = to.T_cam_path * from.T_cam_path.inverse();
+  newest_.turn_rad = from.T_map_cam.rotation().angularDistance(to.T_map_cam.rotation());
+  newest_.length = in_map.translation().norm();
+  newest_.moved_by_map = (in_map.translation() - measured.translation()).norm();
 }
 
 void MotionHistory::report(const FrameRecord& frame) {

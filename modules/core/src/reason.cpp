@@ -80,8 +80,8 @@ const char* pattern_of(ReasonKind kind) {
       return "edges are %.1f px off where the map puts them";
     case ReasonKind::kLittleInformation:
       return "edges hardly determine the motion (%.1f %% of the depth, or of a radian)";
-    case ReasonKind::kAdjustment:
-      return "keyframes were tracked worse than expected";
+    case ReasonKind::kMapMoved:
+      return "the map moved under the camera within 10 frames (by %.1f %% of the depth)";
     case ReasonKind::kUnitCarried:
       return "a turn with hardly a translation, in which a unit of length is carried on to %.0f %% only";
   }
@@ -90,7 +90,8 @@ const char* pattern_of(ReasonKind kind) {
 
 bool is_share(ReasonKind kind) {
   return kind == ReasonKind::kFewAgree || kind == ReasonKind::kFocalLength ||
-         kind == ReasonKind::kLittleInformation || kind == ReasonKind::kUnitCarried;
+         kind == ReasonKind::kLittleInformation || kind == ReasonKind::kMapMoved ||
+         kind == ReasonKind::kUnitCarried;
 }
 
 }  // namespace

@@ -20,7 +20,8 @@ class CornerEvaluation {
     return chain_.expect(step_since_image(T_cur_last));
   }
   /// FeatureTracker::add(), for the corners of the image.
-  std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last);
+  std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last,
+                                    const std::optional<SE3>& T_cam_map = {});
   /// FeatureTracker::begin_map().
   void begin_map(double median_idepth);
   /// Corners that are not to be followed any more.

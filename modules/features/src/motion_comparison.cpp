@@ -21,27 +21,26 @@ double translation_sigma(const ChainStep& step) {
 
 }  // namespace
 
-void MotionComparison::add(const ChainStep& step, const std::optional<SE3>& T_cam_odometry) {
-  entries_.push_back({step, T_cam_odometry});
+void MotionComparison::add(const Entry& entry) {
+  entries_.push_back(entry);
   if (entries_.size() > 2 * kBefore + 1) entries_.pop_front();
 }
 
-void MotionComparison::restart_odometry(const SE3& newest) {
-  for (Entry& e : entries_) e.T_cam_odometry.reset();
-  if (!entries_.empty()) entries_.back().T_cam_odometry = newest;
+void MotionComparison::forget_odometry() {
+  for (Entry& e : entries_) e.T_cam_tracked.reset(), e.T_cam_reported.reset();
 }
 
 // Extent: root of the summed squared distances of the camera centres from their mean. First and last count.
-std::optional<MotionComparison::Ratio> MotionComparison::ratio(int first, int last) const {
+std::optional<MotionComparison::Ratio> MotionComparison::ratio(int first, int last, OdometryPose pose) const {
   first = std::max(first, 0);
   Eigen::Vector3d sum_c = Eigen::Vector3d::Zero(), sum_o = sum_c;
   double squares_c = 0, squares_o = 0, variance = 0;
   int n = 0;
   for (int i = first; i <= last; ++i) {
     const Entry& e = entries_[size_t(i)];
-    if (!e.step.is_measured || !e.T_cam_odometry) continue;
+    if (!e.step.is_measured || !(e.*pose)) continue;
     const Eigen::Vector3d c = e.step.T_cam_path.inverse().translation(),
-                          o = e.T_cam_odometry->inverse().translation();
+                          o = (e.*pose)->inverse().translation();
     sum_c += c, sum_o += o, squares_c += c.squaredNorm(), squares_o += o.squaredNorm();
     const double sigma = translation_sigma(e.step);
     variance += sigma * sigma;
@@ -71,7 +70,7 @@ double MotionComparison::drift(int first, int last) const {
 std::optional<double> MotionComparison::unit() const {
   const int last = int(entries_.size()) - 1;
   for (const int frames : {kNow, 3 * kNow}) {
-    const std::optional<Ratio> r = ratio(last - frames, last);
+    const std::optional<Ratio> r = ratio(last - frames, last, &Entry::T_cam_tracked);
     if (r && r->sigma < 0.3) return std::exp(r->log);
   }
   return std::nullopt;
@@ -101,29 +100,33 @@ void MotionComparison::compare(CornerEvidence* evidence) const {
   }
 }
 
+bool MotionComparison::is_measured(const Entry& from, const Entry& to) const {
+  return from.T_cam_reported && to.T_cam_reported && from.step.is_measured && to.step.is_measured;
+}
+
 void MotionComparison::compare_motion(const Ratio& before, CornerEvidence* evidence) const {
   const Entry& from = entries_[entries_.size() - 1 - kNow];
   const Entry& to = entries_.back();
-  if (!from.T_cam_odometry || !to.T_cam_odometry || !from.step.is_measured || !to.step.is_measured) return;
+  if (!is_measured(from, to)) return;
   const SE3 c = to.step.T_cam_path * from.step.T_cam_path.inverse(),
-            o = *to.T_cam_odometry * from.T_cam_odometry->inverse();
+            o = *to.T_cam_reported * from.T_cam_reported->inverse();
   const Eigen::Vector3d t_c = c.translation(), t_o = std::exp(before.log) * o.translation();
-  const double longer = std::max(t_c.norm(), t_o.norm());
-  if (!(longer > 0)) return;
-  const double sigma = std::hypot(translation_sigma(from.step), translation_sigma(to.step));
-  evidence->motion_error = (t_c - t_o).norm() / longer;
-  const int last = int(entries_.size()) - 1;
-  evidence->motion_sigma =
-      std::hypot(sigma / longer, std::hypot(before.sigma, drift(last - (kNow + kBefore) / 2, last)));
   if (to.step.median_depth > 0) evidence->motion_error_depths = (t_c - t_o).norm() / to.step.median_depth;
+  const double length = t_o.norm();
+  if (!(length > 0)) return;
+  const int last = int(entries_.size()) - 1;
+  const double of_unit = t_c.norm() * std::hypot(before.sigma, drift(last - (kNow + kBefore) / 2, last));
+  evidence->motion_error = (t_c - t_o).norm() / length;
+  evidence->motion_sigma =
+      std::hypot(translation_sigma(from.step), std::hypot(translation_sigma(to.step), of_unit)) / length;
 }
 
 void MotionComparison::compare_rotation(CornerEvidence* evidence) const {
   const Entry& from = entries_[entries_.size() - 1 - kNow];
   const Entry& to = entries_.back();
-  if (!from.T_cam_odometry || !to.T_cam_odometry || !from.step.is_measured || !to.step.is_measured) return;
+  if (!is_measured(from, to)) return;
   const SE3 c = to.step.T_cam_path * from.step.T_cam_path.inverse(),
-            o = *to.T_cam_odometry * from.T_cam_odometry->inverse();
+            o = *to.T_cam_reported * from.T_cam_reported->inverse();
   const auto rotation_variance = [](const ChainStep& s) {
     return s.covariance.bottomRightCorner<3, 3>().trace();
   };

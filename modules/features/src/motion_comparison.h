@@ -12,30 +12,37 @@ namespace edgevo {
 /// The newest part of both paths.
 class MotionComparison {
  public:
-  /// Adds a frame: the step of the corners, and T_cam_odometry, the camera in the frame of the odometry's
-  /// path; nothing: the odometry has no pose there.
-  void add(const ChainStep& step, const std::optional<SE3>& T_cam_odometry);
-  /// Forgets the poses of the odometry but that of the newest frame: another map has another unit.
-  void restart_odometry(const SE3& newest);
+  /// A frame on its paths.
+  struct Entry {
+    /// That of the corners.
+    ChainStep step;
+    /// Those of the odometry: as tracked from frame to frame, and as reported, with what mapping has moved.
+    /// Nothing: the odometry has no pose there.
+    std::optional<SE3> T_cam_tracked, T_cam_reported;
+  };
 
-  /// Unit of the corners' path per unit of the odometry, from the last frames; nothing: unknown.
+  /// Adds a frame.
+  void add(const Entry& entry);
+  /// Forgets the poses of the odometry: another map has another unit.
+  void forget_odometry();
+
+  /// Unit of the corners' path per unit of the odometry as tracked, from the last frames; nothing: unknown.
   std::optional<double> unit() const;
   /// Everything that the two paths say, the other fields of the evidence left as they are.
   void compare(CornerEvidence* evidence) const;
 
  private:
-  struct Entry {
-    ChainStep step;
-    std::optional<SE3> T_cam_odometry;
-  };
+  using OdometryPose = std::optional<SE3> Entry::*;
   // Logarithm of the ratio of the two paths' extents, with its standard deviation.
   struct Ratio {
     double log = 0, sigma = 0;
   };
-  std::optional<Ratio> ratio(int first, int last) const;
+  std::optional<Ratio> ratio(int first, int last, OdometryPose pose = &Entry::T_cam_reported) const;
   void compare_motion(const Ratio& before, CornerEvidence* evidence) const;
   void compare_rotation(CornerEvidence* evidence) const;
   double drift(int first, int last) const;
+  // Whether both ends of the ten frames are on both paths.
+  bool is_measured(const Entry& from, const Entry& to) const;
 
   std::deque<Entry> entries_;
 };

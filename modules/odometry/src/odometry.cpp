@@ -186,16 +186,18 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
 void Odometry::Impl::update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref) {
   if (const std::optional<Event> seen = event_of(front_end.look(now.record->evidence)))
     act(now.frame, state.after(*seen, now.frame.index));
-  track_features(now, front_end.motion_to(T_cur_ref));
+  track_features(now, front_end.motion_to(T_cur_ref), T_cur_ref * front_end.reference()->T_ref_world);
 }
 
-void Odometry::Impl::track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last) {
+void Odometry::Impl::track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last,
+                                    const std::optional<SE3>& T_cam_map) {
   if (!corners) return;
   const StageTimer timer(Stage::kFeatureTracking, &now.record->stage_ms);
   const MovingAreas moving = front_end.moving_areas();
   FrameEvidence& evidence = now.record->evidence;
   evidence.corners = corners->add(
-      now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands);
+      now.pyramid, T_cur_last, [&](const Eigen::Vector2d& px) { return moving.cover(px); }, evidence.stands,
+      T_cam_map);
   focal->add(corners->followed(), T_cur_last, now.pyramid->correction);
   if (const std::optional<FocalError> found = focal->error()) {
     const double in_use = 1 + now.pyramid->correction.focal;
@@ -215,8 +217,9 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
+  record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
   const FrameConfidence found =
-      confidence.add({record->evidence, state.segment(), history.newest(),
+      confidence.add({record->evidence, history.newest(),
                       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;

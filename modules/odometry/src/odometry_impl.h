@@ -50,7 +50,8 @@ struct Odometry::Impl {
   void follow_map(const ArrivedFrame& now, bool is_replayed = false);
   void update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref);
   // In this thread: the pose waits for its evidence, which takes less time than handing it over.
-  void track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last);
+  void track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last,
+                      const std::optional<SE3>& T_cam_map = {});
   void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
   // tracked as any other; what it means for the map: watch_integrity().

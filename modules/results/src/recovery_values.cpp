@@ -161,7 +161,7 @@ void visit_evidence(Visit& v, Evidence& e) {
   v.maybe(e.visible_points, plain), v.maybe(e.matched_points, plain);
   v.plain(e.inlier_share), v.plain(e.residual_px);
   visit_numbers(v, e.pose_sigmas);
-  v.plain(e.step_sigmas), v.plain(e.stands);
+  v.plain(e.step_sigmas), v.plain(e.stands), v.plain(e.moved_by_map);
   v.maybe(e.known_points, plain), v.plain(e.lacking_share), v.plain(e.view_share);
   v.maybe(e.adjustment, [&](auto& a) { visit_adjustment(v, a); });
   v.plain(e.focal_error), v.plain(e.focal_error_sigma);

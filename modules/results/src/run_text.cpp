@@ -82,6 +82,7 @@ void append_evidence(std::string* text, const FrameEvidence& e) {
   append_number(text, e.saturated_share, 4);
   append_number(text, e.edge_blur, 3);
   append_number(text, e.median_depth, 6);
+  append_number(text, e.moved_by_map, 6);
   append_adjustment(text, e.adjustment);
   append_count(text, e.corners ? std::optional<int>(e.corners->tracks) : std::nullopt);
   append_corners(text, e.corners.value_or(CornerEvidence()));
@@ -176,9 +177,9 @@ std::string frames_csv(const Run& run) {
   std::string text =
       "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
       "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
-      "saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,"
-      "adjusted_here,adjusted_unit_sigma,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_"
-      "change_10,"
+      "saturated_share,edge_blur,median_depth,moved_by_map,adjusted_move,adjusted_cost,adjusted_matches,"
+      "adjusted_points,adjusted_here,adjusted_unit_sigma,corners,corners_agreeing,corner_scale,"
+      "corner_scale_sigma,corner_change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
       "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"

@@ -31,16 +31,33 @@ TEST(LogOdds, AreSureToOneInAThousandAtMost) {
   EXPECT_TRUE(std::isnan(log_odds(kUnknown)));
 }
 
-TEST(EvidenceOfRotation, GrowsWithTheDifferenceAndIsEvenAtThreeDegrees) {
+TEST(EvidenceOfCorners, GrowsWithEitherErrorAndIsEvenAtTheTolerance) {
   CornerEvidence c;
-  c.rotation_sigma_deg = 0.5;
+  c.motion_error = 0.02, c.motion_sigma = 0.05, c.rotation_sigma_deg = 0.5;
   double before = -1e9;
   for (c.rotation_deg = 0; c.rotation_deg < 6; c.rotation_deg += 0.5) {
-    EXPECT_GE(evidence_of_rotation(c), before);
-    before = evidence_of_rotation(c);
+    EXPECT_GE(evidence_of_corners(c, 0.5), before);
+    before = evidence_of_corners(c, 0.5);
   }
   c.rotation_deg = 3;
-  EXPECT_NEAR(evidence_of_rotation(c), 0, 1e-6);
+  EXPECT_NEAR(evidence_of_corners(c, 0.5), 0, 1e-4);
+  c.rotation_deg = 0.1, c.motion_error = 0.25;
+  EXPECT_NEAR(evidence_of_corners(c, 0.5), 0, 1e-4) << "a quarter of the length";
+  EXPECT_LT(evidence_of_corners(c, 0.01), -6) << "0.25 % of the depth";
+}
+
+TEST(EvidenceOfCorners, RestsOnTheRotationWhereTheyKnowNoLength) {
+  CornerEvidence c;
+  c.rotation_deg = 3, c.rotation_sigma_deg = 0.5;
+  EXPECT_NEAR(evidence_of_corners(c, 0.5), 0, 1e-6);
+  c.motion_error = 0.02, c.motion_sigma = 20;
+  EXPECT_GT(evidence_of_corners(c, 0.5), 3) << "a vague length is no right one";
+}
+
+TEST(EvidenceOfMap, IsTheLogarithmOfTolerances) {
+  EXPECT_NEAR(evidence_of_map(0.02, 0.01), 0, 1e-12) << "2 % of the depth";
+  EXPECT_NEAR(evidence_of_map(0.5, 1), std::log(2), 1e-12) << "half of the way";
+  EXPECT_EQ(evidence_of_map(0, 1), evidence_of_map(0.01, 1)) << "nothing";
 }
 
 TEST(EvidenceOfTurn, IsThatOfAnErrorInProportionToTheTurn) {
@@ -57,18 +74,6 @@ TEST(ChangeOfStep, IsTheLogarithmOfTheRatio) {
   EXPECT_LT(std::abs(change_of_step(1e-6, 2e-4, 1)), 0.1) << "a camera that stands";
 }
 
-// Lengths of the map fall to 0.4: so do the steps, and the corners go on.
-TEST(EvidenceOfUnit, IsWhatStepsAndCornersAgreeUpon) {
-  CornerEvidence c;
-  c.change_10 = -std::log(0.4), c.change_10_sigma = 0.02;
-  EXPECT_NEAR(evidence_of_unit(c, std::log(0.4)), -std::log(0.4), 0.03);
-  EXPECT_EQ(evidence_of_unit(c, 0), 0) << "steps go on: the corners are wrong";
-  c.change_10 = 0;
-  EXPECT_EQ(evidence_of_unit(c, std::log(0.4)), 0) << "the camera slows down";
-  c.change_10 = -std::log(0.4), c.change_10_sigma = 2;
-  EXPECT_EQ(evidence_of_unit(c, std::log(0.4)), 0) << "corners that know no length";
-}
-
 TEST(FocalLength, BendsATurnByItsErrorAndWithItsDeviation) {
   EXPECT_NEAR(probability_of_wrong_focal_length(0.25, 0.01, 15), 0.5, 1e-6) << "12 degrees in truth";
   EXPECT_NEAR(probability_of_wrong_focal_length(-0.2, 0.01, 12), 0.5, 1e-6) << "15 degrees in truth";
@@ -81,8 +86,8 @@ TEST(FocalLength, BendsATurnByItsErrorAndWithItsDeviation) {
 
 TEST(Evidence, OfWhatIsUnknownIsUnknown) {
   const CornerEvidence none;
-  EXPECT_TRUE(std::isnan(evidence_of_rotation(none)));
-  EXPECT_TRUE(std::isnan(evidence_of_unit(none, 1)));
+  EXPECT_TRUE(std::isnan(evidence_of_corners(none, 1)));
+  EXPECT_TRUE(std::isnan(evidence_of_map(kUnknown, 1)));
   EXPECT_TRUE(std::isnan(evidence_of_turn(kUnknown, kUnknown, 0.1)));
   EXPECT_TRUE(std::isnan(change_of_step(kUnknown, kUnknown, kUnknown)));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "consistency_tests.h"
 #include "edgevo/confidence/motion_confidence.h"
@@ -46,25 +47,29 @@ Sweep along(const Sweep& at, const Doubt& doubt) {
 
 using C = CornerEvidence;
 
-// Corners that contradict a motion in its rotation and in the unit.
-CornerEvidence corners_with(double rotation_deg, double scale) {
+// Corners that contradict a motion in its rotation and its translation.
+CornerEvidence corners_with(double rotation_deg, double motion_error) {
   CornerEvidence c;
   c.tracks = 60;
-  c.change_10 = scale, c.change_10_sigma = 0.05;
+  c.motion_error = motion_error, c.motion_sigma = 0.05;
   c.rotation_deg = rotation_deg, c.rotation_sigma_deg = 0.4;
   return c;
 }
 
 void add_corner_evidence(test::RecordedValues* values) {
-  const auto sweep = [&](const std::string& name, const auto& evidence, double C::*field, const Sweep& at) {
-    CornerEvidence c = corners_with(2, 0.3);
-    values->add(name, along(at, [&](double x) { return c.*field = x, evidence(c); }));
+  const auto sweep = [&](const std::string& name, double C::*field, const Sweep& at) {
+    CornerEvidence c = corners_with(2, 0.1);
+    values->add(name, along(at, [&](double x) { return c.*field = x, evidence_of_corners(c, 0.5); }));
   };
-  sweep("rotation", evidence_of_rotation, &C::rotation_deg, {0, 0.5, 1, 2.5, 3, 3.5, 9, 20, kNotKnown});
-  sweep("rotation by its sigma", evidence_of_rotation, &C::rotation_sigma_deg, {0, 0.5, 2, 7, kNotKnown});
-  const auto unit = [](const CornerEvidence& c) { return evidence_of_unit(c, -0.5); };
-  sweep("unit", unit, &C::change_10, {-0.9, -0.4, 0, 0.04, 0.06, 0.4, 0.9, kNotKnown});
-  sweep("unit by its sigma", unit, &C::change_10_sigma, {0, 0.1, 0.2, 0.4, kNotKnown});
+  sweep("rotation", &C::rotation_deg, {0, 0.5, 1, 2.5, 3, 3.5, 9, 20, kNotKnown});
+  sweep("rotation by its sigma", &C::rotation_sigma_deg, {0, 0.5, 2, 7, kNotKnown});
+  sweep("translation", &C::motion_error, {0, 0.1, 0.2, 0.25, 0.3, 1, 5, kNotKnown});
+  sweep("translation by its sigma", &C::motion_sigma, {0, 0.1, 0.2, 0.4, kNotKnown});
+  values->add("corners by length", along({0, 0.01, 0.05, 0.1, 1, kNotKnown}, [](double length) {
+                return evidence_of_corners(corners_with(1, 0.3), length);
+              }));
+  values->add("map", along({0, 0.001, 0.01, 0.1, 1, kNotKnown},
+                           [](double moved) { return evidence_of_map(moved, 0.5); }));
 }
 
 FrameEvidence middling_evidence() {
@@ -108,19 +113,18 @@ void add_memory(test::RecordedValues* values) {
       const bool is_odd = (i >= 120 && i < 126) || i % 7 == 0;
       FrameEvidence e = middling_evidence();
       if (is_odd) {
-        e.residual_px = 1.4, e.pose_sigmas.fill(0.5), e.corners->change_10 = 0.7;
+        e.residual_px = 1.4, e.pose_sigmas.fill(0.5), e.corners->motion_error = 0.7;
         if (i > 200) e.corners.reset();
       }
-      AdjustmentEvidence adjustment;
-      adjustment.moved = is_odd ? 2.2 : 1.3;
-      if (i % 4 == 0) trust.add_adjustment(adjustment);
       if (i == 150) history.interrupt();
       if (i == 170) history.interrupt();
       if (i == 230) history.begin_map();
       const double step = is_odd ? 0.9 : 0.5 + 0.001 * i;
-      T_map_cam = T_map_cam * SE3::exp((Vector6d() << 0, 0, step, 0, 0.01, 0).finished());
-      history.add({T_map_cam});
-      const FrameConfidence t = trust.add({e, i < 230 ? 0 : 1, history.newest()});
+      const Vector6d motion = (Vector6d() << 0, 0, step, 0, 0.01, 0).finished();
+      const SE3 before = std::exchange(T_map_cam, T_map_cam * SE3::exp(motion));
+      history.add({T_map_cam, (is_odd ? SE3() : T_map_cam.inverse() * before)});
+      e.moved_by_map = history.newest().moved_by_map / e.median_depth;
+      const FrameConfidence t = trust.add({e, history.newest()});
       if (i % 9 == 0 || (i >= 118 && i < 140)) found.push_back(t.doubts[k]);
     }
     values->add(std::string("Trust over a run, doubt ") + trust_table::kTerms[k].name, found);

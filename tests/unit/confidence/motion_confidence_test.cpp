@@ -27,6 +27,7 @@ FrameEvidence good_evidence() {
   e.pose_sigmas.fill(5e-4);
   e.step_sigmas = 0.5;
   e.known_points = 1500, e.lacking_share = 0.05, e.view_share = 0.8;
+  e.moved_by_map = 1e-3;
   CornerEvidence c;
   c.tracks = 90, c.agreeing_share = 0.97;
   c.scale = 0, c.scale_sigma = 0.02;
@@ -43,7 +44,7 @@ class Drive {
  public:
   FrameConfidence go(const FrameEvidence& evidence, double step = kStep, int frames = 1) {
     FrameConfidence newest;
-    for (int i = 0; i < frames; ++i) newest = trust.add({evidence, segment, next(step, evidence.stands)});
+    for (int i = 0; i < frames; ++i) newest = trust.add({evidence, next(step, evidence.stands)});
     return newest;
   }
   MotionHistory::Newest next(double step = kStep, bool stands = false) {
@@ -57,7 +58,6 @@ class Drive {
   }
   MotionConfidence trust;
   MotionHistory history;
-  int segment = 0;
   double turn = 0;  // radians a frame
 
  private:
@@ -142,18 +142,39 @@ TEST(MotionConfidence, IsLowWhenTheUnitOfTheMapHasFallen) {
   drive.go(usual_evidence(), kStep, 100);
   FrameEvidence fallen = usual_evidence();
   fallen.corners->change_10 = -std::log(0.15);
+  fallen.corners->motion_error = 1 / 0.15 - 1, fallen.corners->motion_sigma = 0.2;
+  fallen.moved_by_map = 0.03;
   const FrameConfidence trust = drive.go(fallen, 0.15 * kStep, 10);
   EXPECT_LT(trust.p_right, kDoubtfulBelow);
   EXPECT_EQ(to_string(trust.reasons), "scale fell by 0.85 within 10 frames");
 }
 
-// In light that moves corners follow shadows: steps as before say that the map has not changed.
+// Adjustments have moved the keyframes: what is reported is not what was tracked.
+TEST(MotionConfidence, IsLowWhereTheMapHasMovedUnderTheCameraAndSaysSo) {
+  Drive drive;
+  double before = drive.go(usual_evidence(), kStep, 100).p_right;
+  FrameEvidence moved = usual_evidence();
+  moved.residual_px = 1.2, moved.pose_sigmas.fill(2e-3);
+  before = drive.go(moved, kStep, 20).p_right;
+  for (const double share : {0.05, 0.2, 0.5, 1.0, 3.0}) {  // of the way
+    moved.moved_by_map = share * 10 * kStep / kDepth;
+    const FrameConfidence now = drive.go(moved);
+    EXPECT_LT(now.p_right, before) << share;
+    before = now.p_right;
+  }
+  EXPECT_LT(before, kDoubtfulBelow);
+  EXPECT_EQ(to_string(drive.go(moved).reasons),
+            "the map moved under the camera within 10 frames (by 160.0 % of the depth)");
+}
+
+// In light that moves corners follow shadows: alone they do not decide.
 TEST(MotionConfidence, IsHighWhereTheCornersAloneHaveChanged) {
   Drive drive;
   drive.go(good_evidence(), kStep, 100);
   FrameEvidence fooled = good_evidence();
   fooled.corners->change_10 = -std::log(0.15);
-  EXPECT_GT(drive.go(fooled, kStep, 10).p_right, 0.9);
+  fooled.corners->motion_error = 1 / 0.15 - 1, fooled.corners->motion_sigma = 0.2;
+  EXPECT_GT(drive.go(fooled, kStep, 10).p_right, kDoubtfulBelow);
 }
 
 // Its witnesses are taken away one after the other.
@@ -171,6 +192,22 @@ TEST(MotionConfidence, FallsSmoothlyAsThePoseBecomesLessCertain) {
     before = now;
   }
   EXPECT_LT(before, kDoubtfulBelow);
+}
+
+TEST(MotionConfidence, FallsSmoothlyAsTheCornersBecomeLessCertainAndGo) {
+  Drive drive;
+  FrameEvidence vaguer = good_evidence();
+  const double sure = drive.go(vaguer, kStep, 60).p_right;
+  double before = sure;
+  for (int i = 0; i < 100; ++i) {
+    vaguer.corners->motion_sigma *= 1.06, vaguer.corners->rotation_sigma_deg *= 1.06;
+    const double now = drive.go(vaguer).p_right;
+    EXPECT_LE(now, before + 1e-9) << i;
+    EXPECT_GT(now, before - 0.06) << i;
+    before = now;
+  }
+  vaguer.corners.reset();
+  EXPECT_GT(drive.go(vaguer).p_right, kDoubtfulBelow) << "no corners do not speak against a motion";
 }
 
 // Corners share the mistake, so that nothing else shows it.
@@ -199,13 +236,15 @@ TEST(MotionConfidence, AFocalLengthThatMayBeRightDoesNotDecideAlone) {
 
 TEST(MotionConfidence, EdgesThatLieOffTheMapAreInDoubtEvenIfTheyCountAsInliers) {
   Drive drive;
-  FrameEvidence misfit = usual_evidence();
+  FrameEvidence fit = usual_evidence();
+  fit.pose_sigmas.fill(0.02);
+  FrameEvidence misfit = fit;
   misfit.residual_px = 4;
-  const double right = drive.go(usual_evidence(), kStep, 60).p_right;
-  EXPECT_GT(drive.go(misfit).p_right, right - 0.02) << "one frame is no map";
+  const double right = drive.go(fit, kStep, 60).p_right;
+  EXPECT_GT(drive.go(misfit).p_right, right - 0.05) << "one frame is no map";
   EXPECT_LT(drive.go(misfit, kStep, 20).p_right, right - 0.3);
-  drive.go(usual_evidence(), kStep, 20);
-  EXPECT_NEAR(drive.go(usual_evidence()).p_right, right, 1e-12) << "and it is over when they fit again";
+  drive.go(fit, kStep, 20);
+  EXPECT_NEAR(drive.go(fit).p_right, right, 1e-12) << "and it is over when they fit again";
 }
 
 // Edges and corners share what a rolling shutter does: they agree on a wrong translation.
@@ -234,7 +273,7 @@ TEST(MotionConfidence, DoesNotMeasureAStepAcrossAGapOrASegment) {
   drive.history.interrupt();
   const double of_right_runs = trust_table::kTerms[size_t(ConsistencyTest::kStep)].usual;
   EXPECT_LE(drive.go(good_evidence(), 100).doubts[size_t(ConsistencyTest::kStep)], of_right_runs);
-  drive.segment = 1, drive.history.begin_map();
+  drive.history.begin_map();
   EXPECT_LE(drive.go(good_evidence(), 100).doubts[size_t(ConsistencyTest::kStep)], of_right_runs);
 }
 
@@ -273,8 +312,8 @@ TEST(MotionConfidence, AGiantStepOfTheReportedPosesIsNotTracking) {
   Drive drive;
   drive.go(good_evidence(), kStep, 60);
   const FrameEvidence evidence = good_evidence();
-  const FrameConfidence small = drive.trust.add({evidence, 0, drive.next(), 9.9}),
-                        giant = drive.trust.add({evidence, 0, drive.next(), 10.1});
+  const FrameConfidence small = drive.trust.add({evidence, drive.next(), 9.9}),
+                        giant = drive.trust.add({evidence, drive.next(), 10.1});
   EXPECT_FALSE(small.is_step_outlier);
   EXPECT_TRUE(giant.is_step_outlier);
   EXPECT_GT(giant.p_right, kDoubtfulBelow);

@@ -15,8 +15,8 @@ namespace {
 constexpr int kDigitsOfP = 5, kDigitsOfDoubt = 4;  // after the point
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kNoPose = "-";
-constexpr std::array<const char*, kConsistencyTests> kDoubtNames{
-    "rotation", "turn", "unit", "step", "residual", "information", "adjustment"};
+constexpr std::array<const char*, kConsistencyTests> kDoubtNames{"corners",  "turn",        "step",
+                                                                 "residual", "information", "map"};
 
 // A number of a frame, to be written or read.
 struct Column {
@@ -66,7 +66,6 @@ using C = CornerEvidence;
 const std::vector<Column>& columns() {
   static const std::vector<Column> all{
       frame_column<&RecordedFrame::segment>("segment"),
-      frame_column<&RecordedFrame::moved>("moved"),
       motion_column<0>("x"),
       motion_column<1>("y"),
       motion_column<2>("z"),
@@ -74,6 +73,7 @@ const std::vector<Column>& columns() {
       motion_column<4>("turn_y"),
       motion_column<5>("turn_z"),
       evidence_column<&E::median_depth>("median_depth"),
+      evidence_column<&E::moved_by_map>("moved_by_map"),
       {"stands", [](const RecordedFrame& f) { return double(f.evidence.stands); },
        [](double v, RecordedFrame* f) { f->evidence.stands = v == 1; }},
       count_column<&E::visible_points>("visible_points"),
@@ -88,8 +88,8 @@ const std::vector<Column>& columns() {
        [](double v, RecordedFrame* f) {
          if (count_of(v)) f->evidence.corners.emplace().tracks = int(v);
        }},
-      corner_column<&C::change_10>("change_10"),
-      corner_column<&C::change_10_sigma>("change_10_sigma"),
+      corner_column<&C::motion_error>("motion_error"),
+      corner_column<&C::motion_sigma>("motion_sigma"),
       corner_column<&C::rotation_deg>("rotation_deg"),
       corner_column<&C::rotation_sigma_deg>("rotation_sigma_deg"),
   };
@@ -171,13 +171,10 @@ std::optional<Outcome> EvidenceReplay::add(const RecordedFrame& frame) {
     history_.interrupt();
     return std::nullopt;
   }
-  AdjustmentEvidence adjustment;
-  adjustment.moved = frame.moved;
-  trust_.add_adjustment(adjustment);
   T_map_cam_ = T_map_cam_ * SE3::exp(frame.motion);
   if (std::exchange(segment_, frame.segment) != frame.segment) history_.begin_map();
   history_.add({T_map_cam_, {}, 1, frame.evidence.stands});
-  const FrameConfidence trust = trust_.add({frame.evidence, frame.segment, history_.newest()});
+  const FrameConfidence trust = trust_.add({frame.evidence, history_.newest()});
   return Outcome{trust.doubts, trust.p_right,
                  frame_status(frame_status(frame.evidence, StatusParams()), trust).state};
 }

@@ -17,8 +17,6 @@ struct RecordedFrame {
   bool has_pose = false;
   /// Segment of the map.
   int segment = 0;
-  /// AdjustmentEvidence::moved of the newest keyframe adjusted since the frame before; NaN: none.
-  double moved = std::numeric_limits<double>::quiet_NaN();
   /// Tangent of T_before_cam, the motion since the frame before.
   Vector6d motion = Vector6d::Zero();
   /// The evidence; all of pose_sigmas are the largest one.

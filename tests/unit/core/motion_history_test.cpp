@@ -19,6 +19,7 @@ class Path {
   void go(double step, int frames = 1, bool stands = false) {
     for (int i = 0; i < frames; ++i) history.add({at_z(z_ += step), at_z(-step), 1, stands});
   }
+  void move_map(double by) { z_ += by; }
   MotionHistory history;
 
  private:
@@ -74,6 +75,23 @@ TEST(MotionHistory, TheNewestStepIsComparedWithThoseBeforeIt) {
   EXPECT_NEAR(newest.recent, (4 * 0.3 + 0.9) / 5, 1e-9);
   EXPECT_NEAR(newest.length, 9 * 0.3 + 0.9, 1e-9) << "of ten frames";
   EXPECT_NEAR(newest.turn_rad, 0, 1e-9);
+}
+
+// What was tracked does not change when an adjustment moves the map under the camera.
+TEST(MotionHistory, WhatTheMapHasMovedIsKnownForTenFrames) {
+  Path path = after_steps_of(0.3, 30);
+  EXPECT_NEAR(path.history.newest().moved_by_map, 0, 1e-9);
+  path.move_map(0.2);
+  for (int i = 0; i < 10; ++i) {
+    path.go(0.3);
+    EXPECT_NEAR(path.history.newest().moved_by_map, 0.2, 1e-9) << i;
+  }
+  path.go(0.3);
+  EXPECT_NEAR(path.history.newest().moved_by_map, 0, 1e-9);
+  path.move_map(0.2);
+  path.history.interrupt();
+  path.go(0.3, 3);
+  EXPECT_NEAR(path.history.newest().moved_by_map, 0, 1e-9) << "of the frames in a row";
 }
 
 TEST(MotionHistory, ThereIsNoStepInTheMapOverAGapOrToAnotherMap) {

@@ -24,7 +24,7 @@ Run run_of(int frames) {
   return run;
 }
 
-const Reason kA{ReasonKind::kTurn}, kB{ReasonKind::kSteps}, kC{ReasonKind::kAdjustment};
+const Reason kA{ReasonKind::kTurn}, kB{ReasonKind::kSteps}, kC{ReasonKind::kMapMoved, 0.06};
 
 void doubt(Run* run, int from, int to, const Reason& reason) {
   for (int i = from; i <= to; ++i) {
@@ -100,7 +100,8 @@ TEST(DoubtfulIntervals, SayWhereNothingLinksTheUnitOfLengthToThatBefore) {
   EXPECT_THAT(texts(run), ElementsAre("frames 110 to 112: a translation that the turn hides",
                                       "frames 140 to 142: steps unlike those before; nothing links the unit "
                                       "of length after it to that before",
-                                      "frame 180: keyframes were tracked worse than expected"));
+                                      "frame 180: the map moved under the camera within 10 frames (by "
+                                      "6.0 % of the depth)"));
 }
 
 TEST(DoubtfulIntervals, ANewMapThatNothingLinksIsOneEvenIfEachFrameHasGotAPose) {

@@ -12,7 +12,6 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/simulation/relight.h"
 #include "edgevo/simulation/scene_renderer.h"
@@ -43,21 +42,15 @@ constexpr Sequence kSequences[] = {
 // Follows a run from outside, as the odometry follows it itself.
 class Recorder {
  public:
-  Recorder(const Camera& camera, const std::shared_ptr<MapLog>& log) : log_(log), events_(log) {
-    OdometryOptions options;
-    options.map_log = log;
-    odometry_ = std::make_unique<Odometry>(camera, OdometryParams(), options);
-  }
+  explicit Recorder(const Camera& camera) : odometry_(camera, OdometryParams(), OdometryOptions()) {}
 
   void add(const Frame& frame) {
     RecordedFrame next;
-    read_adjustments();
-    const FrameRecord record = odometry_->process(frame);
-    const NewestPose& pose = odometry_->newest_pose();
+    const FrameRecord record = odometry_.process(frame);
+    const NewestPose& pose = odometry_.newest_pose();
     next.has_pose = std::isfinite(record.p_right) && pose.T_cam_map;
     if (next.has_pose) {
       next.segment = pose.segment;
-      next.moved = std::exchange(moved_, kUnknown);
       next.evidence = record.evidence;
       next.evidence.pose_sigmas.fill(record.evidence.pose_sigmas.back());
       const SE3 T_map_cam = pose.T_cam_map->inverse();
@@ -72,15 +65,6 @@ class Recorder {
   int other_frames() const { return others_; }
 
  private:
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
-  // They count at the next frame with a pose.
-  void read_adjustments() {
-    for (const auto& event : events_.read())
-      if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
-        moved_ = mapped->adjustment->moved;
-  }
-
   // Before rounding, the replay is the run.
   void check(const RecordedFrame& frame, const FrameRecord& record) {
     const std::optional<Outcome> exact = exact_.add(frame);
@@ -91,13 +75,10 @@ class Recorder {
     }
   }
 
-  std::shared_ptr<MapLog> log_;
-  MapCursor events_;
-  std::unique_ptr<Odometry> odometry_;
+  Odometry odometry_;
   EvidenceReplay exact_, replay_;
   SE3 T_map_before_;
-  int segment_ = -1, others_ = 0;
-  double moved_ = kUnknown;
+  int others_ = 0;
   std::vector<EvidenceRow> rows_;
 };
 
@@ -107,7 +88,7 @@ bool record(const Sequence& s, const std::string& folder) {
   Pinhole pinhole = camera.pinhole();
   pinhole.fx *= s.focal, pinhole.fy *= s.focal;
   camera.set_pinhole(pinhole);
-  Recorder recorder(camera, std::make_shared<MapLog>());
+  Recorder recorder(camera);
   for (int k = 0; k < s.frames && s.begin + s.every * k < renderer.size(); ++k) {
     GrayImage image = renderer.render_image(s.begin + s.every * k);
     const double seconds = k / 10.0;

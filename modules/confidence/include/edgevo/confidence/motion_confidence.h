@@ -24,12 +24,10 @@ namespace edgevo {
 
 /// What can speak against a motion.
 enum class ConsistencyTest {
-  /// The rotation over ten frames differs from that of the corners: log odds.
-  kRotation,
+  /// The motion as reported differs from that of corners that are followed: log odds.
+  kCorners,
   /// The camera turns, and hardly moves: an error in proportion to the turn hides the translation. Log odds.
   kTurn,
-  /// The steps have changed, and the corners' have not: the map's unit has. Log ratio.
-  kUnit,
   /// Steps longer or shorter than usual, in the unit of the map: log ratio.
   kStep,
   /// Edges lie far from where map and pose put them: log of pixels. What fits neither is rejected, what fits
@@ -38,21 +36,21 @@ enum class ConsistencyTest {
   /// The image hardly constrains a direction of the pose: decades of its largest standard deviation (median
   /// depths or radians).
   kInformation,
-  /// The adjustment moves keyframes by more than tracking thought possible: log of squared sigmas.
-  kAdjustment,
+  /// The motion as reported differs from that which was tracked from frame to frame: adjustments of keyframes
+  /// have moved the map under the camera. Log of tolerances, the largest of ten frames: a map that has just
+  /// been moved was wrong before.
+  kMap,
 };
 /// Number of tests.
-inline constexpr size_t kConsistencyTests = 7;
+inline constexpr size_t kConsistencyTests = 6;
 /// A value for each test, in the order of the enum; that of right motions where nothing is known, but for
 /// kInformation: a pose without a covariance is as uncertain as the view is deep.
 using Inconsistencies = std::array<double, kConsistencyTests>;
 
 /// A frame that has a pose, as the trust in it is built.
 struct ConfidenceInput {
-  /// Evidence; its adjustment is not read.
+  /// Evidence.
   const FrameEvidence& evidence;
-  /// Segment of the map.
-  int segment = 0;
   /// Its motion, in the unit of FrameEvidence::median_depth.
   MotionHistory::Newest motion;
   /// The step over the usual one as the run reports it (MotionHistory::reported_ratio): a unit that is set
@@ -87,9 +85,8 @@ class MotionConfidence {
   explicit MotionConfidence(const ConfidenceParams& params = {}) : params_(params) {}
   /// Adds a frame with a pose, in time order.
   FrameConfidence add(const ConfidenceInput& frame);
-  /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
-  /// order of their keyframes.
-  void add_adjustment(const AdjustmentEvidence& adjustment);
+  /// Adds what the adjustment of a keyframe showed of the unit; it counts from the next frame on.
+  void add_adjustment(const AdjustmentEvidence& adjustment) { new_variance_ += adjustment.unit_variance; }
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
@@ -99,9 +96,7 @@ class MotionConfidence {
   double carried_unit_sigma();
 
   ConfidenceParams params_;
-  int segment_ = -1;
-  RecentValues decades_{kFrames}, residuals_{kMapFrames};
-  RecentValues moved_{3};
+  RecentValues decades_{kFrames}, moved_{kFrames}, residuals_{kMapFrames};
   // By how much the unit has grown less certain, by frame: variances of its logarithm.
   RecentValues unit_variances_{MotionHistory::kUsualSteps};
   double new_variance_ = 0;  // since the newest frame

@@ -28,9 +28,10 @@ struct AdjustmentEvidence {
   double unit_variance = 0;
 };
 
-/// What corners that are followed through the images say about the poses. They move by themselves: rotation,
-/// direction and relative lengths come from the corners alone, so that a map whose unit changes cannot
-/// deceive them. "The ten frames" are the last ten up to this one, "the fifty before" those before the ten.
+/// What corners that are followed through the images say about the poses as reported. They move by
+/// themselves: rotation, direction and relative lengths come from the corners alone, so that a map whose unit
+/// changes cannot deceive them. "The ten frames" are the last ten up to this one, "the fifty before" those
+/// before the ten.
 struct CornerEvidence {
   /// Value of an unknown number.
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -49,7 +50,7 @@ struct CornerEvidence {
   /// The same from the fifty frames before the last fifty to the last fifty: a unit that creeps.
   double change_50 = kUnknown, change_50_sigma = kUnknown;
   /// Distance between the poses' motion over the ten frames, in the scale of the fifty before, and that of
-  /// the corners: as a share of the longer of the two, its standard deviation, and in median depths of the
+  /// the corners: as a share of the poses' motion, its standard deviation, and in median depths of the
   /// corners.
   double motion_error = kUnknown, motion_sigma = kUnknown, motion_error_depths = kUnknown;
   /// Angle between the rotations over the ten frames, and the standard deviation of the corners', degrees.
@@ -126,6 +127,10 @@ struct FrameEvidence {
   double lacking_share = std::numeric_limits<double>::quiet_NaN();
   /// Share of the map that lies in the image of the reference keyframe, 0 to 1.
   double view_share = std::numeric_limits<double>::quiet_NaN();
+
+  /// Length by which the translation over the last ten frames, as reported, differs from that which was
+  /// tracked from frame to frame, median depths: adjustments of keyframes have moved the camera by so much.
+  double moved_by_map = std::numeric_limits<double>::quiet_NaN();
 
   /// Adjustment of the window with this frame as the new keyframe; nothing if there was none.
   std::optional<AdjustmentEvidence> adjustment;

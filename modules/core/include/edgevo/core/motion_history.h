@@ -57,6 +57,9 @@ class MotionHistory {
     double turn_rad = 0;
     /// Translation over the same frames.
     double length = 0;
+    /// Length of its difference to the translation that was measured from frame to frame: by so much
+    /// adjustments of keyframes have moved the camera meanwhile.
+    double moved_by_map = 0;
   };
 
   /// Adds a frame that has been tracked, in time order.
@@ -64,7 +67,7 @@ class MotionHistory {
   /// Adds or replaces a frame as it is reported, with or without a pose; the last 2000 are kept.
   void report(const FrameRecord& frame);
   /// A frame has no pose: the next step in the map has no length.
-  void interrupt() { poses_.clear(); }
+  void interrupt() { poses_.clear(), T_cam_path_ = {}; }
   /// A new map, in another unit. What was reported stays.
   void begin_map();
 
@@ -92,7 +95,11 @@ class MotionHistory {
   RecentValues measured_{kUsualSteps}, in_map_{kUsualSteps};
   Eigen::Vector3d direction_ = Eigen::Vector3d::Zero();  // of the last measured step that counts
   MedianMotion median_motion_;
-  std::deque<SE3> poses_;  // in the map, of the last ten frames in a row, and the one before them
+  struct Placed {
+    SE3 T_map_cam, T_cam_path;
+  };
+  std::deque<Placed> poses_;  // of the last ten frames in a row, and the one before them
+  SE3 T_cam_path_;            // the measured motions of these frames, one after the other
   Newest newest_;
   struct Reported {
     std::optional<Eigen::Vector3d> position;

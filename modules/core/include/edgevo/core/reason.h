@@ -79,8 +79,8 @@ enum class ReasonKind : uint8_t {
   kResidual,
   /// Largest standard deviation of the pose, as a share of the depth or in radians.
   kLittleInformation,
-  /// Keyframes were tracked worse than expected.
-  kAdjustment,
+  /// Length by which adjustments have moved the camera within ten frames, as a share of the depth.
+  kMapMoved,
   /// Standard deviation of the unit of length that the map has carried over the last fifty frames, as a
   /// share.
   kUnitCarried,

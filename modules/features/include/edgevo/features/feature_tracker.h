@@ -29,14 +29,15 @@ class FeatureTracker {
 
   /// Takes the next image with the pose that the odometry has found. `T_cur_last` is the motion from the last
   /// frame with a pose to this one, in the odometry's unit, both as known now: where mapping has moved the
-  /// keyframe that the last frame refers to, the last frame has moved with it. So the steps add up to the
-  /// path of the live poses. Poses that are found later are not evaluated. Nothing: no pose, and no evidence.
-  /// Corners on what moves by itself are dropped: they agree on its motion, and may be the most.
-  /// `stands`: the camera is known to stand (FrameEvidence::stands), so that corners that move are on
-  /// something else. Keeps the frame until the next one. Cost: 0.4 ms at 1241x376.
+  /// keyframe that the last frame refers to, the last frame has moved with it. Nothing: no pose, and no
+  /// evidence. What is evaluated is the path of `T_cam_map`, the poses as they are reported, with what
+  /// mapping has moved between them; without it that of the steps, one after the other. Poses that are found
+  /// later are not evaluated. Corners on what moves by itself are dropped: they agree on its motion, and may
+  /// be the most. `stands`: the camera is known to stand (FrameEvidence::stands), so that corners that move
+  /// are on something else. Keeps the frame until the next one. Cost: 0.4 ms at 1241x376.
   std::optional<CornerEvidence> add(const std::shared_ptr<const FramePyramid>& frame,
                                     const std::optional<SE3>& T_cur_last, const MovesByItself& moves = {},
-                                    bool stands = false);
+                                    bool stands = false, const std::optional<SE3>& T_cam_map = {});
   /// The corners of the newest image, by ascending id.
   std::vector<FollowedCorner> followed() const;
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs
