@@ -19,7 +19,7 @@ struct TrustRun {
   std::vector<ReportedFrame> reported;
   /// Inconsistencies of each frame that the trust was built for.
   std::vector<std::optional<Inconsistencies>> doubts;
-  /// Probability that a wrong focal length has bent the turn, of each frame.
+  /// Probability of a cause that no test sees (a wrong focal length, a unit carried badly), of each frame.
   std::vector<double> p_wrong_otherwise;
   /// Ground truth.
   Trajectory truth;

@@ -17,17 +17,17 @@ struct Term {
   double weight, usual;
 };
 constexpr std::array<Term, kConsistencyTests> kTerms{{
-    {ConsistencyTest::kCorners, "corners", "log odds", 0.2593, -4.1703},
-    {ConsistencyTest::kTurn, "turn", "log odds", 0.4830, -6.5110},
-    {ConsistencyTest::kStep, "step", "log ratio", 1.5438, 0.1498},
-    {ConsistencyTest::kResidual, "residual", "log of pixels", 1.3951, -0.3390},
-    {ConsistencyTest::kInformation, "information", "decades", 4.1662, -3.1669},
-    {ConsistencyTest::kMap, "map", "log of tolerances", 0.9512, -2.2847},
+    {ConsistencyTest::kCorners, "corners", "log odds", 0.2614, -4.1545},
+    {ConsistencyTest::kTurn, "turn", "log odds", 0.4847, -6.5110},
+    {ConsistencyTest::kStep, "step", "log ratio", 1.5550, 0.1498},
+    {ConsistencyTest::kResidual, "residual", "log of pixels", 1.3930, -0.3390},
+    {ConsistencyTest::kInformation, "information", "decades", 4.1716, -3.1669},
+    {ConsistencyTest::kMap, "map", "log of tolerances", 0.9167, -2.2610},
 }};
 /// Log odds of a wrong motion where all is as usual.
-constexpr double kBias = -6.4862;
+constexpr double kBias = -6.4400;
 
 /// Value of p_right below which a frame is doubtful.
-constexpr double kDoubtfulBelow = 0.7108;
+constexpr double kDoubtfulBelow = 0.7076;
 
 }  // namespace edgevo::trust_table
