@@ -27,7 +27,7 @@ class CornerIndex {
   struct Alike {
     int bits;
     int32_t corner;
-    bool operator<(const Alike& o) const { return bits != o.bits ? bits < o.bits : corner < o.corner; }
+    bool operator<(const Alike& o) const { return bits != o.bits ? bits < o.bits : corner > o.corner; }
   };
   std::vector<int32_t> sharing_a_part(const CornerDescriptor& corner) const;
   std::vector<Alike> most_alike(const CornerDescriptor& corner) const;
