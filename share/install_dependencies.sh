@@ -17,12 +17,11 @@ CORE_PACKAGES="
 build-essential cmake ninja-build git
 libeigen3-dev libopencv-dev libceres-dev zlib1g-dev nlohmann-json3-dev
 "
-# data sets, camera files | bags of ROS, run.mcap and the reader of its tests | index of places | the Python package | its tests |
+# data sets, camera files | bags of ROS, run.mcap and the reader of its tests | the Python package | its tests |
 # MRPT, ViSP, OctoMap and the tools that open our files | command line, tests | planners (for a test) | plots of `edgevo study` | tests of what opens a window | manual pages and packages
 PACKAGES="$CORE_PACKAGES
 libexif-dev libsqlite3-dev libxml2-dev libdeflate-dev
 libbz2-dev liblz4-dev libzstd-dev python3
-libfaiss-dev
 pybind11-dev python3-dev python3-numpy
 python3-opencv mypy
 libmrpt-maps-dev libmrpt-gui-dev libmrpt-hwdrivers-dev mrpt-apps

@@ -52,7 +52,6 @@ TEST(FuzzKeptMap, Log) {
   const TempFolder folder;
   MapFileWriter writer(folder / "growing.db", made.header);
   made.write(&writer);
-  writer.flush();
   const std::string path = folder / "map.db";
   write_file(path, read_file(folder / "growing.db", ""));
   const FuzzCounts counts =

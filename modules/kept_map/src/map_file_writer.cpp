@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/kept_map/map_file_writer.h"
 
-#include <chrono>
 #include <optional>
 
 #include "final_map.h"
@@ -11,12 +10,6 @@
 
 namespace edgevo {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// Rows of one transaction: a killed run loses fewer than these.
-constexpr int kMaxWaiting = 4;
-constexpr std::chrono::seconds kMaxWait{1};
 
 // A file of this name has all tables, whenever the program is killed.
 void make_file(const std::string& path, const MapHeader& header) {
@@ -49,29 +42,15 @@ struct MapFileWriter::Impl {
     keyframes.emplace(&*database);
     constraints.emplace(&*database);
   }
-  ~Impl() {
-    try {
-      commit();
-    } catch (const DatabaseError&) {
-    }
-  }
 
-  void begin_write() {
-    if (waiting++ > 0) return;
+  // Each call is one transaction: a write to SQLite's log.
+  template <class Write>
+  void transact(const Write& write) {
     database->execute("BEGIN");
-    first_waiting = Clock::now();
-  }
-  void commit_if_due() {
-    if (waiting == 0) return;
-    if (waiting >= kMaxWaiting || Clock::now() - first_waiting > kMaxWait) commit();
-  }
-  void commit() {
-    if (waiting == 0) return;
+    write();
     database->execute("COMMIT");
-    waiting = 0;
   }
   void close() {
-    commit();
     constraints.reset();
     keyframes.reset();
     database.reset();
@@ -81,8 +60,6 @@ struct MapFileWriter::Impl {
   std::optional<Database> database;
   std::optional<KeyframeRows> keyframes;
   std::optional<ConstraintRows> constraints;
-  int waiting = 0;
-  Clock::time_point first_waiting;
 };
 
 namespace {
@@ -112,44 +89,27 @@ void MapFileWriter::add(const StoredKeyframe& keyframe) {
   const std::string place = bytes_of(KeyframePlace{keyframe.id, keyframe.epoch, *keyframe.record}),
                     view = bytes_of(*keyframe.view);
   attempt(impl_->path, [&] {
-    impl_->begin_write();
-    impl_->keyframes->put(keyframe.id, place, view);
-    if (keyframe.next) impl_->constraints->put(number_of_motion(keyframe.id), motion_of(keyframe));
-    impl_->commit_if_due();
+    impl_->transact([&] {
+      impl_->keyframes->put(keyframe.id, place, view);
+      if (keyframe.next) impl_->constraints->put(number_of_motion(keyframe.id), motion_of(keyframe));
+    });
   });
 }
 
 void MapFileWriter::add(const ConstraintAdded& added) {
   const auto is_keyframe = [](const NodeId& node) { return node.kind() == NodeId::Kind::kKeyframe; };
   if (!is_keyframe(added.constraint.from) || !is_keyframe(added.constraint.to)) return;
-  attempt(impl_->path, [&] {
-    impl_->begin_write();
-    impl_->constraints->put(added.id, added.constraint);
-    impl_->commit_if_due();
-  });
+  attempt(impl_->path, [&] { impl_->constraints->put(added.id, added.constraint); });
 }
 
 void MapFileWriter::withdraw(int constraint) {
-  attempt(impl_->path, [&] {
-    impl_->begin_write();
-    impl_->constraints->remove(constraint);
-    impl_->commit_if_due();
-  });
-}
-
-void MapFileWriter::flush() {
-  attempt(impl_->path, [&] { impl_->commit(); });
-}
-
-void MapFileWriter::flush_old() {
-  attempt(impl_->path, [&] { impl_->commit_if_due(); });
+  attempt(impl_->path, [&] { impl_->constraints->remove(constraint); });
 }
 
 void MapFileWriter::finish(const Run& run) {
   const std::string fresh = name_while_made(impl_->path);
   remove_map_files(fresh);
   attempt(impl_->path, [&] {
-    impl_->commit();
     write_final_map(&*impl_->database, run, fresh);
     impl_->close();
   });

@@ -2,12 +2,11 @@
 #include "corner_pose.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
-#include <cstring>
 #include <opencv2/calib3d.hpp>
 #include <utility>
 
+#include "differing_bits.h"
 #include "edgevo/opencv_bridge/opencv_pose.h"
 #include "false_alarms.h"
 
@@ -31,16 +30,6 @@ constexpr float kMinCell = 8;
 // That a sample without a wrong pair is among them.
 constexpr double kConfidence = 0.999;
 
-int bits_between(const CornerDescriptor& a, const CornerDescriptor& b) {
-  int differing = 0;
-  for (size_t at = 0; at < a.size(); at += sizeof(uint64_t)) {
-    uint64_t x, y;
-    std::memcpy(&x, &a[at], sizeof x), std::memcpy(&y, &b[at], sizeof y);
-    differing += int(std::bitset<64>(x ^ y).count());
-  }
-  return differing;
-}
-
 // The most alike of the other view, so far.
 struct MostAlike {
   int bits = 257, next_bits = 257;  // and those of the second one
@@ -60,7 +49,7 @@ std::vector<std::pair<size_t, size_t>> pairs_alike(const ViewCorners& a, const V
   std::vector<MostAlike> there(a.descriptors.size()), back(b.descriptors.size());
   for (size_t i = 0; i < there.size(); ++i)
     for (size_t j = 0; j < back.size(); ++j) {
-      const int bits = bits_between(a.descriptors[i], b.descriptors[j]);
+      const int bits = differing_bits(a.descriptors[i], b.descriptors[j]);
       there[i].compare(bits, j), back[j].compare(bits, i);
     }
   std::vector<std::pair<size_t, size_t>> pairs;

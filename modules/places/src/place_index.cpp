@@ -1,28 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/places/place_index.h"
 
-#include <faiss/IndexBinaryHash.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
+
+#include "corner_index.h"
 
 namespace edgevo {
 namespace {
 
-constexpr int kBits = 256;
-// Descriptors are found where one of sixteen parts of 16 bits is the same: 96 % of those of which a tenth of
-// the bits differs, 71 % of 15 %. Fewer and longer parts of which a bit may differ find a few more, for ten
-// times the time.
-constexpr int kTables = 16, kTableBits = 16;
-// Places that one corner supports, and how alike they must be: half of all bits differ by chance.
-constexpr size_t kNearest = 8;
-constexpr int kMaxVoteBits = 70;
 // Corners of a view that are looked up: the strongest, which come first.
 constexpr size_t kMaxQueryCorners = 120;
-// More queries at a time faiss shares between threads, which belong to the frames.
-constexpr size_t kInOneThread = 100;
 // What a query says of a view, the next one says of its neighbours; so much of it is kept, and so far do two
 // views in a row lie apart: five or so in a row count.
 constexpr double kKept = 0.8;
@@ -44,59 +33,31 @@ std::vector<double> carried_on(const std::vector<double>& before, std::vector<do
 
 // Ranks by votes, from 0 for the most; without votes the last rank.
 std::vector<int> ranks_of(const std::vector<double>& votes) {
-  std::vector<int> order(votes.size()), rank(votes.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return votes[size_t(a)] > votes[size_t(b)]; });
-  for (size_t i = 0; i < order.size(); ++i)
-    rank[size_t(order[i])] = int(votes[size_t(order[i])] > 0 ? i : order.size());
+  std::vector<std::pair<double, int>> order;  // most votes first, of equal ones the view seen first
+  for (size_t i = 0; i < votes.size(); ++i)
+    if (votes[i] > 0) order.emplace_back(-votes[i], int(i));
+  std::sort(order.begin(), order.end());
+  std::vector<int> rank(votes.size(), int(votes.size()));
+  for (size_t i = 0; i < order.size(); ++i) rank[size_t(order[i].second)] = int(i);
   return rank;
-}
-
-// faiss reads its 16 bits in words of 64, so up to six bytes after the last descriptor: a copy with one more.
-std::vector<CornerDescriptor> readable_by_faiss(const std::vector<CornerDescriptor>& descriptors,
-                                                size_t count) {
-  std::vector<CornerDescriptor> copy(count + 1);
-  std::copy_n(descriptors.begin(), count, copy.begin());
-  return copy;
 }
 
 }  // namespace
 
-struct PlaceIndex::Corners {
-  Corners() : hash(kBits, kTables, kTableBits) {}
-  faiss::IndexBinaryMultiHash hash;
-  std::vector<int> view_of;  // by number of the descriptor
-};
-
-PlaceIndex::PlaceIndex() : corners_(std::make_unique<Corners>()) {}
+PlaceIndex::PlaceIndex() : corners_(std::make_unique<CornerIndex>()) {}
 PlaceIndex::~PlaceIndex() = default;
 
 int PlaceIndex::add(const RememberedView& view) {
   const int number = int(signatures_.size());
   signatures_.push_back(view.signature);
-  const size_t count = view.corners.descriptors.size();
-  corners_->hash.add(faiss::IndexBinary::idx_t(count),
-                     readable_by_faiss(view.corners.descriptors, count).front().data());
-  corners_->view_of.resize(corners_->view_of.size() + count, number);
+  corners_->add(view.corners.descriptors, number);
   return number;
 }
 
 std::vector<double> PlaceIndex::votes_by_corners(const RememberedView& query) const {
   std::vector<double> votes(size(), 0);
   const size_t corners = std::min(query.corners.descriptors.size(), kMaxQueryCorners);
-  const std::vector<CornerDescriptor> d = readable_by_faiss(query.corners.descriptors, corners);
-  std::vector<int32_t> distances(corners * kNearest);
-  std::vector<faiss::IndexBinary::idx_t> found(distances.size(), -1);
-  for (size_t i = 0; i < corners && !corners_->view_of.empty(); i += kInOneThread)
-    corners_->hash.search(faiss::IndexBinary::idx_t(std::min(kInOneThread, corners - i)), d[i].data(),
-                          kNearest, &distances[i * kNearest], &found[i * kNearest]);
-  for (size_t i = 0; i < corners; ++i) {
-    std::set<int> views;
-    for (size_t at = i * kNearest; at < (i + 1) * kNearest; ++at)
-      if (found[at] >= 0 && distances[at] <= kMaxVoteBits) views.insert(corners_->view_of[size_t(found[at])]);
-    for (const int view : views) votes[size_t(view)] += 1;
-  }
+  for (size_t i = 0; i < corners; ++i) corners_->vote(query.corners.descriptors[i], &votes);
   return votes;
 }
 
@@ -114,14 +75,14 @@ std::vector<int> PlaceIndex::candidates(const RememberedView& query, size_t coun
   row->by_corners = carried_on(row->by_corners, votes_by_corners(query));
   row->by_signature = carried_on(row->by_signature, votes_by_signature(query));
   const std::vector<int> a = ranks_of(row->by_corners), b = ranks_of(row->by_signature);
-  std::vector<int> order(size(), 0);
-  std::iota(order.begin(), order.end(), 0);
-  // The better voter counts most: they fail differently.
-  const auto key = [&](int i) { return 1.0 / (1 + a[size_t(i)]) + 1.0 / (1 + b[size_t(i)]); };
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) { return key(i) > key(j); });
+  // The better voter counts most: they fail differently. Of equal views the one seen first.
+  std::vector<std::pair<double, int>> order;
+  for (size_t i = 0; i < size(); ++i) order.emplace_back(1.0 / (1 + a[i]) + 1.0 / (1 + b[i]), -int(i));
+  std::make_heap(order.begin(), order.end());
   std::vector<int> chosen;
-  for (const int i : order) {
-    if (chosen.size() == count) break;
+  for (; !order.empty() && chosen.size() < count; order.pop_back()) {
+    std::pop_heap(order.begin(), order.end());
+    const int i = -order.back().second;
     const auto is_near = [&](int c) { return std::abs(c - i) < kApart; };
     if (std::none_of(chosen.begin(), chosen.end(), is_near)) chosen.push_back(i);
   }

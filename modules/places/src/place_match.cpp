@@ -135,7 +135,7 @@ ReferenceCloud cloud_of(const PlaceView& v) {
 // Corners and edges fail differently: that both agree by chance is the product of what each says. Edges that
 // agree hardly more than by chance do not confirm the pose.
 bool is_proved(double corners_log_alarms, double edges_log_alarms) {
-  constexpr double kLogConfirmed = -1;  // one of ten poses by chance
+  constexpr double kLogConfirmed = -2;  // one of a hundred poses by chance: three are tried for each view
   return edges_log_alarms < kLogConfirmed && corners_log_alarms + edges_log_alarms < 2 * kLogProof;
 }
 

@@ -2,11 +2,12 @@
 #include "edgevo/places/remembered_view.h"
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/features2d.hpp>
+
+#include "differing_bits.h"
 
 namespace edgevo {
 namespace {
@@ -116,11 +117,7 @@ const PyramidLevel& coarse_level(const FramePyramid& pyramid) {
 
 }  // namespace
 
-int distance(const ViewSignature& a, const ViewSignature& b) {
-  int differing = 0;
-  for (size_t i = 0; i < a.bits.size(); ++i) differing += int(std::bitset<64>(a.bits[i] ^ b.bits[i]).count());
-  return differing;
-}
+int distance(const ViewSignature& a, const ViewSignature& b) { return differing_bits(a.bits, b.bits); }
 
 RememberedView remember_view(const FramePyramid& pyramid) {
   const PyramidLevel& level = coarse_level(pyramid);

@@ -85,7 +85,6 @@ void RunOutputs::Impl::write_map_events() {
         if (const auto* added = std::get_if<ConstraintAdded>(&*event)) map->add(*added);
         if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(&*event)) map->withdraw(withdrawn->id);
       }
-      map->flush_old();
     });
   });
 }

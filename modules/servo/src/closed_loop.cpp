@@ -133,14 +133,11 @@ class ClosedLoop {
   // The pose in the kept map.
   ServoPose in_kept_map(ServoPose pose) const {
     if (!pose.usable) return pose;
-    const NewestPose& view = pose.view;
-    if (!sensor_.is_placed(view.segment)) {
+    if (!pose.cMk) {
       pose.usable = false, pose.reason = "not found in the kept map yet";
       return pose;
     }
-    const SE3 T_map_cam =
-        view.T_world_odom * Sim3{view.odom_scale, view.T_odom_map}.apply(view.T_cam_map->inverse());
-    pose.cMw = to_visp(in_metres(T_map_cam.inverse()));
+    pose.cMw = to_visp(in_metres(to_se3(*pose.cMk)));
     pose.map_version = 0;
     return pose;
   }

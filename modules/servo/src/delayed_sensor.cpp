@@ -28,10 +28,6 @@ double seconds_of(bool cpu, const Work& work) {
   return cpu ? 1e-3 * (thread_cpu_ms() - cpu_begin_ms) : took.count();
 }
 
-bool places_in_kept_map(const Constraint& c) {
-  return c.from == NodeId::world() && c.to.kind() == NodeId::Kind::kKeyframe;
-}
-
 }  // namespace
 
 DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
@@ -52,8 +48,8 @@ void DelayedSensor::push(Frame frame) {
 
 void DelayedSensor::advance(double until_s, std::vector<ServoRow>* rows) {
   if (waiting_ && std::max(free_at_s_, waiting_->time.seconds()) < until_s) work(rows);
-  while (!ready_.empty() && ready_.front().first <= until_s) {
-    feed_->publish(ready_.front().second);
+  while (!ready_.empty() && ready_.front().time_s <= until_s) {
+    feed_->publish(ready_.front().pose, ready_.front().is_in_kept_map);
     ready_.pop_front();
   }
 }
@@ -63,22 +59,11 @@ void DelayedSensor::work(std::vector<ServoRow>* rows) {
   waiting_.reset();
   const double took_s = seconds_of(cpu_latency_, [&] { odometry_.process(frame); });
   past_.follow();
-  follow_map();
+  for (const auto& event : events_.read()) found_.apply(*event);
   free_at_s_ = std::max(free_at_s_, frame.time.seconds()) + given_latency_s_.value_or(took_s);
-  ready_.emplace_back(free_at_s_, odometry_.newest_pose());
+  const NewestPose newest = odometry_.newest_pose();
+  ready_.push_back({free_at_s_, newest, found_.contains(newest.segment)});
   (*rows)[size_t(frame.index)].latency_s = free_at_s_ - frame.time.seconds();
-}
-
-// Poses are in the kept map once the epochs have been placed by what was found.
-void DelayedSensor::follow_map() {
-  for (const auto& event : events_.read()) {
-    if (const auto* added = std::get_if<KeyframeAdded>(&*event)) segment_of_[added->id] = added->segment;
-    if (const auto* found = std::get_if<ConstraintAdded>(&*event);
-        found && places_in_kept_map(found->constraint))
-      if (const auto segment = segment_of_.find(found->constraint.to.number()); segment != segment_of_.end())
-        found_.insert(segment->second);
-    if (std::holds_alternative<EpochsPlaced>(*event)) placed_.insert(found_.begin(), found_.end());
-  }
 }
 
 KeptLoop DelayedSensor::finish() {

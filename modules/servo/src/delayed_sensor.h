@@ -2,13 +2,11 @@
 #pragma once
 // The odometry as the sensor of the servo loop, with its latency.
 #include <deque>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
-#include <utility>
 #include <vector>
 
+#include "edgevo/map/found_segments.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/run_loop/past_follower.h"
@@ -36,28 +34,29 @@ class DelayedSensor {
 
   /// Number of images that were replaced.
   int replaced() const { return replaced_; }
-  /// Whether a segment was found in the kept map.
-  bool is_placed(int segment) const { return placed_.count(segment) > 0; }
   /// Ends the odometry: its run and keyframes, without a goal. Call once.
   KeptLoop finish();
 
  private:
   void work(std::vector<ServoRow>* rows);
-  void follow_map();
 
+  // A result, and when it is ready.
+  struct Result {
+    double time_s;
+    NewestPose pose;
+    bool is_in_kept_map;
+  };
   const std::shared_ptr<MapLog> log_ = std::make_shared<MapLog>();
   std::vector<StoredKeyframe> keyframes_;
   MapCursor events_;
-  std::map<int, int> segment_of_;  // by keyframe
-  std::set<int> found_, placed_;   // segments, before and after their poses say so
-  PastFollower past_;              // made before the odometry
+  FoundSegments found_;
+  PastFollower past_;  // made before the odometry
   Odometry odometry_;
   std::optional<double> given_latency_s_;
   bool cpu_latency_;
   ServoFeed* feed_;
   std::optional<Frame> waiting_;
-  /// Results, with the times at which they are ready.
-  std::deque<std::pair<double, NewestPose>> ready_;
+  std::deque<Result> ready_;
   double free_at_s_ = 0;
   int replaced_ = 0;
 };

@@ -47,7 +47,7 @@ SE3 T_odom_cam(const NewestPose& view, const SE3& T_cam_map) {
 
 }  // namespace
 
-void ServoFeed::publish(const NewestPose& view) {
+void ServoFeed::publish(const NewestPose& view, bool is_in_kept_map) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool other_segment = view.reference && newest_.reference && view.segment != newest_.segment;
   const bool other_camera =
@@ -68,7 +68,7 @@ void ServoFeed::publish(const NewestPose& view) {
   // Without a map the last one is kept, since tracking may resume in it.
   std::shared_ptr<const Reference> last = newest_.reference;
   const int last_segment = newest_.segment;
-  newest_ = view;
+  newest_ = view, is_in_kept_map_ = is_in_kept_map;
   if (!newest_.reference) newest_.reference = std::move(last), newest_.segment = last_segment;
 }
 
@@ -112,6 +112,7 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   const SE3 T_cam_map = SE3::exp(pose.predicted_s * velocity_) * *newest_.T_cam_map;
   pose.view.T_cam_map = T_cam_map;
   pose.cMw = to_visp(in_metres(T_cam_map, scale_.metres_per_unit));
+  if (is_in_kept_map_) pose.cMk = to_visp((newest_.T_world_odom * T_odom_cam(newest_, T_cam_map)).inverse());
   pose.cMo = to_visp(to_metres_.apply(T_odom_cam(newest_, T_cam_map)).inverse());
   pose.cMw_at_image = to_visp(in_metres(*newest_.T_cam_map, scale_.metres_per_unit));
   // e = e_k + a (e_k - e_{k-1}) with a = predicted / step: the errors of both poses count.

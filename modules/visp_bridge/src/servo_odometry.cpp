@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/visp_bridge/servo_odometry.h"
 
+#include <utility>
+
 #include "edgevo/visp_bridge/conversions.h"
+#include "kept_map_search.h"
 
 namespace edgevo {
+namespace {
+
+OdometryOptions with_events(OdometryOptions options, bool are_needed) {
+  if (are_needed && !options.map_log) options.map_log = std::make_shared<MapLog>();
+  return options;
+}
+
+std::unique_ptr<KeptMapSearch> search_in(const Camera& camera, const OdometryOptions& options,
+                                         std::shared_ptr<const PlaceStore> kept) {
+  return kept ? std::make_unique<KeptMapSearch>(camera, options, std::move(kept)) : nullptr;
+}
+
+}  // namespace
 
 ServoOdometry::ServoOdometry(const Camera& camera, const OdometryParams& params,
-                             const OdometryOptions& options, ServoFeed* feed)
-    : feed_(feed), odometry_(camera, params, options), worker_({"servo"}) {}
+                             const OdometryOptions& options, ServoFeed* feed,
+                             std::shared_ptr<const PlaceStore> kept)
+    : ServoOdometry(camera, params, with_events(options, kept != nullptr), kept, feed) {}
+
+ServoOdometry::ServoOdometry(const Camera& camera, const OdometryParams& params,
+                             const OdometryOptions& options, std::shared_ptr<const PlaceStore> kept,
+                             ServoFeed* feed)
+    : feed_(feed),
+      search_(search_in(camera, options, std::move(kept))),
+      odometry_(camera, params, options),
+      worker_({"servo"}) {}
+
+ServoOdometry::~ServoOdometry() = default;
 
 void ServoOdometry::push(GrayImage image, Timestamp time) {
   auto work = [this, frame = Frame{next_index_++, time, std::move(image)}]() mutable {
@@ -58,7 +85,9 @@ void ServoOdometry::process(Frame frame) {
   }
   add_gyro();
   odometry_.process(frame);
-  feed_->publish(odometry_.newest_pose());
+  if (search_) search_->follow();
+  const NewestPose newest = odometry_.newest_pose();
+  feed_->publish(newest, search_ && search_->has_found(newest.segment));
 }
 
 Run ServoOdometry::finish() {

@@ -202,7 +202,7 @@ TEST_F(DamagedMap, AWriterThatIsKilledLeavesItsKeyframes) {
     const auto before = contents_of(temp_.path());
     const KeptMap map = read_map(path_);
     EXPECT_TRUE(contents_of(temp_.path()) == before);
-    EXPECT_GE(int(map.store.size()), last + 1 - 4) << "the last transaction at most";
+    EXPECT_GE(int(map.store.size()), last + 1) << "all that had been added";
     EXPECT_EQ(map.warnings.size(), 1u) << "but that it is not finished";
     read += map.store.size();
     for (const char* end : {"-wal", "-shm"}) fs::remove(path_ + end);
@@ -216,7 +216,6 @@ TEST_F(DamagedMap, AKilledMapIsFinishedLater) {
   if (child == 0) {
     MapFileWriter writer(path_, made_.header);
     made_.write(&writer);
-    writer.flush();
     kill(getpid(), SIGKILL);
   }
   waitpid(child, nullptr, 0);

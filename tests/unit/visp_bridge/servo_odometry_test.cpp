@@ -8,6 +8,9 @@
 #include <chrono>
 #include <thread>
 
+#include "edgevo/core/angle.h"
+#include "edgevo/map/map_log.h"
+#include "edgevo/places/place_memory.h"
 #include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "edgevo/visp_bridge/servo_params.h"
@@ -56,6 +59,56 @@ TEST(ServoOdometry, FeedsTheResultsOfTheOdometry) {
   EXPECT_GE(posed, 5);
   EXPECT_EQ(odometry.replaced(), 0);
   EXPECT_EQ(odometry.finish().frames.size(), 14u);
+}
+
+constexpr int kFrames = 60;
+
+Frame desk_frame(int i) { return {i, Timestamp::from_seconds(i / 30.0), desk().render_image(i)}; }
+
+// The keyframes of a run over the desk, and its poses.
+std::shared_ptr<const PlaceStore> map_of_desk(edgevo::Run* run) {
+  OdometryOptions options;
+  options.map_log = std::make_shared<MapLog>();
+  const Rectification rectification = rectification_of(desk().camera(), options);
+  auto kept = std::make_shared<PlaceStore>(rectification.target());
+  MapCursor events(options.map_log);
+  PlaceMemory memory(rectification, options.map_log);
+  memory.on_stored([&](const StoredKeyframe& k) { kept->add(k); });
+  Odometry odometry(desk().camera(), servo_odometry_params(), options);
+  for (int i = 0; i < kFrames; ++i) odometry.process(desk_frame(i));
+  odometry.close();
+  for (const auto& event : events.read()) memory.apply(*event);
+  *run = odometry.finish();
+  return kept;
+}
+
+TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
+  edgevo::Run before;
+  const std::shared_ptr<const PlaceStore> kept = map_of_desk(&before);
+  ASSERT_GE(kept->size(), 4u);
+  const auto distance_before = [&](int a, int b) {
+    return (before.frames[size_t(a)].T_world_cam->translation() -
+            before.frames[size_t(b)].T_world_cam->translation())
+        .norm();
+  };
+  constexpr int kFirst = 14;  // another first view, hence another frame and unit of the map
+  ServoFeed feed, feed_without;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed, kept);
+  ServoOdometry without(desk().camera(), servo_odometry_params(), {}, &feed_without);
+  int found = 0;
+  for (int i = kFirst; i < kFrames; ++i) {
+    const Frame frame = desk_frame(i);
+    odometry.push(frame.image, frame.time), without.push(frame.image, frame.time);
+    ASSERT_TRUE(wait_for(feed, i - kFirst) && wait_for(feed_without, i - kFirst));
+    EXPECT_FALSE(feed_without.pose(frame.time).cMk);
+    const ServoPose pose = feed.pose(frame.time);
+    if (!pose.usable || !pose.cMk || !before.frames[size_t(i)].T_world_cam) continue;
+    ++found;
+    const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(i)].T_world_cam;
+    EXPECT_LT(off.translation().norm(), 0.05 * distance_before(kFirst, kFrames - 1)) << i;
+    EXPECT_LT(off.angle(), rad(1)) << i;
+  }
+  EXPECT_GE(found, 10);
 }
 
 TEST(ServoOdometry, TheNewestImageReplacesAWaitingOne) {

@@ -11,6 +11,8 @@
 
 namespace edgevo {
 
+class CornerIndex;
+
 /// What a row of queries along one path has said of the views so far, by number of the view.
 struct PlaceVotes {
   /// By each of the two voters.
@@ -25,22 +27,21 @@ class PlaceIndex {
   PlaceIndex(const PlaceIndex&) = delete;
   PlaceIndex& operator=(const PlaceIndex&) = delete;
 
-  /// Adds a view; returns its number. Cost: about 2 ms.
+  /// Adds a view; returns its number. Cost: about 0.3 ms.
   int add(const RememberedView& view);
   /// Number of views.
   size_t size() const { return signatures_.size(); }
 
   /// The likeliest views, likeliest first, none next to another one. The query must not be among the views,
   /// nor what was seen around it: its corners would look most alike. `row`: of the queries before it along
-  /// the same path; takes what this one adds. Cost: some 3 ms at 300 views.
+  /// the same path; takes what this one adds. Cost: 0.2 ms at 300 views, 3 ms at 10,000.
   std::vector<int> candidates(const RememberedView& query, size_t count, PlaceVotes* row) const;
 
  private:
-  struct Corners;
   std::vector<double> votes_by_corners(const RememberedView& query) const;
   std::vector<double> votes_by_signature(const RememberedView& query) const;
 
-  std::unique_ptr<Corners> corners_;
+  std::unique_ptr<CornerIndex> corners_;
   std::vector<ViewSignature> signatures_;
 };
 

@@ -18,6 +18,9 @@
 // map is a new one or was corrected for the lens: goals must be taught again. `camera.refine: none`
 // (params/servo.yaml) turns correction of the lens off.
 //
+// A goal of an earlier run: cMk, the camera in the map that was kept of it, once it was found there
+// (ServoOdometry). It stays valid over all maps of this run.
+//
 // For what is not fixed to one map: cMo, the camera in `odom`, which goes on smoothly over all maps and
 // drifts; and mMo, `odom` in `map` (share/doc/concepts.md, Frames). Both have the axes of the first camera.
 //
@@ -27,6 +30,7 @@
 
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "edgevo/core/sim3.h"
@@ -91,6 +95,9 @@ struct ServoPose {
   /// `odom` to `map`, where things lie by what is known: rigid, the identity until something is found about
   /// the past. Same unit as cMw.
   vpHomogeneousMatrix mMo;
+  /// Kept map to camera at the requested time, in the unit of that map whatever `scale` is. Nothing: there is
+  /// no such map, or the camera was not found in it yet.
+  std::optional<vpHomogeneousMatrix> cMk;
   /// Number of changes of mMo by what was found so far.
   int map_changes = 0;
   /// Version of the map. Poses and points of different versions must not be mixed.
@@ -107,8 +114,9 @@ class ServoFeed {
   /// Makes a feed that has no pose yet.
   explicit ServoFeed(const ServoFeedOptions& options = {}) : options_(options) {}
 
-  /// Publishes the result of the newest frame. Any thread; takes microseconds.
-  void publish(const NewestPose& view);
+  /// Publishes the result of the newest frame. `is_in_kept_map`: whether its segment was found in a map that
+  /// was kept, whose frame and unit the world has. Any thread; takes microseconds.
+  void publish(const NewestPose& view, bool is_in_kept_map = false);
   /// Sets the scale of the present map: lengths are in metres from now on. A later map has the scale that its
   /// unit has in `odom`. Another scale leaves the newest pose in `odom` where it is. Throws InputError unless
   /// it is positive and finite.
@@ -125,6 +133,7 @@ class ServoFeed {
   /// Held while copying only.
   mutable std::mutex mutex_;
   NewestPose newest_;
+  bool is_in_kept_map_ = false;
   /// Velocity per second, map units: T_cam_map <- exp(velocity dt) T_cam_map.
   Vector6d velocity_ = Vector6d::Zero();
   /// Interval that the velocity was measured over; 0: there is none.

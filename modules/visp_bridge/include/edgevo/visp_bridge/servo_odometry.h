@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -21,16 +22,22 @@
 #include "edgevo/core/time_order.h"
 #include "edgevo/core/worker.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/places/place_store.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 
 namespace edgevo {
 
+class KeptMapSearch;
+
 /// The odometry in its own thread, fed by a frame grabber.
 class ServoOdometry {
  public:
-  /// `feed` must outlive this object. Throws InputError for an unusable camera or detector.
+  /// `feed` must outlive this object. `kept`: the map of an earlier run, of the pinhole that the odometry
+  /// works in (read_finished_map(), kept_map/kept_map.h), in which the camera is looked for: ServoPose::cMk.
+  /// Null: none. Throws InputError for an unusable camera or detector.
   ServoOdometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
-                ServoFeed* feed);
+                ServoFeed* feed, std::shared_ptr<const PlaceStore> kept = nullptr);
+  ~ServoOdometry();
   ServoOdometry(const ServoOdometry&) = delete;
   ServoOdometry& operator=(const ServoOdometry&) = delete;
 
@@ -54,12 +61,16 @@ class ServoOdometry {
   Run finish();
 
  private:
+  // `options` with the events that `kept` needs.
+  ServoOdometry(const Camera& camera, const OdometryParams& params, const OdometryOptions& options,
+                std::shared_ptr<const PlaceStore> kept, ServoFeed* feed);
   void try_process(Frame frame);
   void add_gyro();
   void process(Frame frame);
 
   ServoFeed* feed_;
   // Used by the thread only, until it is idle.
+  std::unique_ptr<KeptMapSearch> search_;  // null: no kept map; made before the odometry
   Odometry odometry_;
   TimeOrder times_;
   bool has_failed_ = false;
