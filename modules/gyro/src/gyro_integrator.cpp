@@ -16,6 +16,8 @@ constexpr double kKeptS = 60;
 constexpr int kMeasured = 400, kMeasureEvery = 100;
 // Rates of a gyro at rest, rad/s: its bias, and what it rounds to nothing.
 constexpr double kRest = 0.02;
+// Three samples that are further apart than so many steps lack one.
+constexpr double kStepsApart = 2.5;
 // Median of the square of a normal variable of unit variance.
 constexpr double kMedianSquare = 0.4549;
 
@@ -35,6 +37,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
   if (repeats && !rests(sample.rate)) return false;
+  remove_spike(t, unit_ * sample.rate);
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
@@ -45,6 +48,19 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   forget();
   if (++since_measured_ >= kMeasureEvery) measure_noise(), since_measured_ = 0;
   return true;
+}
+
+// The newest sample but one, now that both its neighbours are known.
+void GyroIntegrator::remove_spike(double t, const Eigen::Vector3d& rate) {
+  constexpr double kSigmas = 6;  // motion bends rates by as much as their noise
+  if (samples_.size() < 2 || noise_ == 0) return;
+  const Sample &a = samples_[samples_.size() - 2], &b = samples_.back();
+  if (t - a.t > kStepsApart * step_) return;  // one is missing
+  const double share = (b.t - a.t) / (t - a.t), sample2 = noise_ * noise_ / step_;
+  const double off2 = (b.rate - a.rate - share * (rate - a.rate)).squaredNorm();
+  if (off2 < (rate - a.rate).squaredNorm() + kSigmas * kSigmas * 1.5 * sample2) return;
+  samples_.pop_back();
+  ++spikes_;
 }
 
 bool GyroIntegrator::rests(const Eigen::Vector3d& rate) const { return unit_ * rate.norm() < kRest; }
@@ -69,7 +85,7 @@ void GyroIntegrator::measure_noise() {
   step_ = median(std::move(steps));
   for (size_t i = first + 2; i < samples_.size(); ++i) {
     const Sample &a = samples_[i - 2], &b = samples_[i - 1], &c = samples_[i];
-    if (c.t - a.t > 2.5 * step_) continue;  // one is missing
+    if (c.t - a.t > kStepsApart * step_) continue;  // one is missing
     const Eigen::Vector3d off = a.rate - 2 * b.rate + c.rate;
     for (int k = 0; k < 3; ++k) squares.push_back(off[k] * off[k] / 6);
   }

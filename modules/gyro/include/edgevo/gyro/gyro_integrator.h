@@ -40,10 +40,13 @@ struct GyroRotation {
 /// of the first sample.
 class GyroIntegrator {
  public:
-  /// Takes the next sample. One that is not after the one before, is not finite, or turns as the one before
+  /// Takes the next sample; a spike before it is removed, as if it were missing. One that is not after the one before, is not finite, or turns as the one before
   /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was. At rest many
   /// repeat their rates.
   bool add(const GyroSample& sample);
+  /// How many spikes were removed: samples that are off the line between both neighbours by more than these
+  /// are off one another, and than noise explains.
+  int spikes() const { return spikes_; }
   /// Whether these rates, as measured, are those of a gyro at rest.
   bool rests(const Eigen::Vector3d& rate) const;
   /// For how long the rates have been the same, seconds.
@@ -92,6 +95,7 @@ class GyroIntegrator {
   // The first sample after `begin`; nothing unless samples without a gap reach over both times.
   std::optional<Iterator> first_within(double begin, double end) const;
   Eigen::Vector3d integral_to(double t) const;
+  void remove_spike(double t, const Eigen::Vector3d& rate);
   void measure_noise();
   void forget();
 
@@ -99,7 +103,7 @@ class GyroIntegrator {
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
   double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0, repeated_since_ = 0;
-  int since_measured_ = 0;
+  int since_measured_ = 0, spikes_ = 0;
 };
 
 }  // namespace edgevo

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/gyro/gyro_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/output_file.h"
+#include "edgevo/core/rotation_vector.h"
+
+namespace edgevo {
+namespace {
+
+// Seconds between two changes of one kind.
+constexpr double kBetweenChanges = 1000;
+// Share of the rotations of images that are outliers, and their variance over that of the others.
+constexpr double kOutliers = 0.02, kOutlierVariance = 100;
+
+constexpr GyroChangeKind kKinds[] = {GyroChangeKind::kBias, GyroChangeKind::kScale, GyroChangeKind::kClock,
+                                     GyroChangeKind::kMount};
+
+// Standard deviation of what may change at once: a chip that warms up or is hit, another range of its rates,
+// buffers that are late, a holder that slips.
+GyroChange opened(GyroChangeKind kind) {
+  constexpr double kBias = rad(3), kScale = 0.1, kOffset = 0.05, kMount = rad(10);
+  GyroChange sigma = GyroChange::Zero();
+  if (kind == GyroChangeKind::kBias) sigma.segment<3>(kGyroBias).setConstant(kBias);
+  if (kind == GyroChangeKind::kScale) sigma.segment<3>(kGyroScale).setConstant(kScale);
+  if (kind == GyroChangeKind::kClock) sigma[kGyroOffset] = kOffset;
+  if (kind == GyroChangeKind::kMount) sigma.head<3>().setConstant(kMount);
+  return sigma;
+}
+
+// The update by a rotation, and the logarithm of how likely it was; nothing where samples are missing.
+std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
+                             GyroModel* model) {
+  const std::optional<CameraTurn> shown = camera_turn(gyro, *model, seen.begin, seen.end);
+  if (!shown) return std::nullopt;
+  const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
+  const GyroJacobian& J = shown->by_unknowns;
+  GyroCovariance& P = model->covariance;
+  const Eigen::Matrix3d S = J * P * J.transpose() + factor * (shown->noise + seen.covariance);
+  const Eigen::Matrix3d information = S.inverse();
+  const double square = beyond.dot(information * beyond), spread = std::log(S.determinant());
+  if (!std::isfinite(square + spread)) return std::nullopt;
+  const double inlier = std::log(1 - kOutliers) - 0.5 * square,
+               outlier = std::log(kOutliers) - 0.5 * square / kOutlierVariance -
+                         1.5 * std::log(kOutlierVariance),
+               most = std::max(inlier, outlier),
+               both = most + std::log(std::exp(inlier - most) + std::exp(outlier - most)),
+               weight = std::exp(inlier - both);
+  const Eigen::Matrix<double, kGyroUnknowns, 3> K = P * J.transpose() * information;
+  const GyroChange step = K * beyond;
+  model->move(weight * step);
+  // Of the mixture of both: with the update, and without.
+  P += weight * (1 - weight) * step * step.transpose() - weight * K * J * P;
+  P = (0.5 * (P + P.transpose())).eval();
+  return both - 0.5 * spread;
+}
+
+}  // namespace
+
+void GyroFilter::begin_rivals(const SeenTurn& seen) {
+  const double change_now = std::log((seen.end - seen.begin) / kBetweenChanges);
+  for (const GyroChangeKind kind : kKinds) {
+    auto rival = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& r) { return r.kind == kind; });
+    if (rival == rivals_.end()) rival = rivals_.insert(rivals_.end(), {kind, {}, {}, 0, -1e300});
+    if (rival->log_odds > change_now) continue;
+    *rival = {kind, nominal_, nominal_, seen.begin, change_now};
+    rival->model.covariance.diagonal() += opened(kind).cwiseAbs2();
+  }
+}
+
+std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const SeenTurn& seen,
+                                               double factor) {
+  if (!(seen.end > seen.begin)) return std::nullopt;
+  nominal_.go_on_to(seen.end);
+  for (Rival& r : rivals_) r.model.go_on_to(seen.end);
+  begin_rivals(seen);
+  const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_);
+  if (likelihood) {
+    for (Rival& r : rivals_)
+      r.log_odds += update(gyro, seen, factor, &r.model).value_or(*likelihood) - *likelihood;
+  }
+  const auto best = std::max_element(rivals_.begin(), rivals_.end(), [](const Rival& a, const Rival& b) {
+    return a.log_odds < b.log_odds;
+  });
+  std::optional<FoundGyroChange> found;
+  if (best->log_odds > 0) {
+    found = {best->kind, best->since_s, best->before.change_to(best->model)};
+    nominal_ = best->model;
+    rivals_.clear();
+  }
+  mix();
+  return found;
+}
+
+void GyroFilter::mix() {
+  double sum = 1;
+  for (const Rival& r : rivals_) sum += std::exp(r.log_odds);
+  GyroChange mean = GyroChange::Zero();
+  GyroCovariance squares = nominal_.covariance / sum;
+  for (const Rival& r : rivals_) {
+    const double weight = std::exp(r.log_odds) / sum;
+    const GyroChange off = nominal_.change_to(r.model);
+    mean += weight * off;
+    squares += weight * (r.model.covariance + off * off.transpose());
+  }
+  mean_ = nominal_;
+  mean_.move(mean);
+  mean_.covariance = squares - mean * mean.transpose();
+}
+
+std::string describe(const FoundGyroChange& change) {
+  const auto three = [](const Eigen::Vector3d& v, double unit, int decimals) {
+    return "(" + fixed(v.x() * unit, decimals) + ", " + fixed(v.y() * unit, decimals) + ", " +
+           fixed(v.z() * unit, decimals) + ")";
+  };
+  switch (change.kind) {
+    case GyroChangeKind::kBias:
+      return "its bias has changed by " + three(change.by.segment<3>(kGyroBias), deg(1), 2) + " degrees/s";
+    case GyroChangeKind::kScale:
+      return "its scales have changed by " + three(change.by.segment<3>(kGyroScale), 100, 0) + " %";
+    case GyroChangeKind::kClock:
+      return "its clock has jumped by " + fixed(1e3 * change.by[kGyroOffset], 1) + " ms";
+    case GyroChangeKind::kMount:
+      break;
+  }
+  return "it has turned by " + three(change.by.head<3>(), deg(1), 1) + " degrees against the camera";
+}
+
+}  // namespace edgevo
