@@ -13,6 +13,11 @@ namespace {
 
 // Seconds between two changes of one kind.
 constexpr double kBetweenChanges = 1000;
+// Odds against all else at which a change is sure.
+constexpr double kSureOdds = 100;
+// A rival that has not won so many seconds after its beginning begins anew: a large change is seen within some
+// images, a small one within seconds.
+constexpr double kLives[] = {0.3, 3};
 // Share of the rotations of images that are outliers, and their variance over that of the others.
 constexpr double kOutliers = 0.02, kOutlierVariance = 100;
 
@@ -22,11 +27,11 @@ constexpr GyroChangeKind kKinds[] = {GyroChangeKind::kBias, GyroChangeKind::kSca
 // Standard deviation of what may change at once: a chip that warms up or is hit, another range of its rates,
 // buffers that are late, a holder that slips.
 GyroChange opened(GyroChangeKind kind) {
-  constexpr double kBias = rad(3), kScale = 0.1, kOffset = 0.05, kMount = rad(10);
+  constexpr double kBias = rad(3), kScale = 0.1, kOffset = 0.05, kDrift = 1e-3, kMount = rad(10);
   GyroChange sigma = GyroChange::Zero();
   if (kind == GyroChangeKind::kBias) sigma.segment<3>(kGyroBias).setConstant(kBias);
   if (kind == GyroChangeKind::kScale) sigma.segment<3>(kGyroScale).setConstant(kScale);
-  if (kind == GyroChangeKind::kClock) sigma[kGyroOffset] = kOffset;
+  if (kind == GyroChangeKind::kClock) sigma[kGyroOffset] = kOffset, sigma[kGyroDrift] = kDrift;
   if (kind == GyroChangeKind::kMount) sigma.head<3>().setConstant(kMount);
   return sigma;
 }
@@ -62,13 +67,28 @@ std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, d
 
 void GyroFilter::begin_rivals(const SeenTurn& seen) {
   const double change_now = std::log((seen.end - seen.begin) / kBetweenChanges);
-  for (const GyroChangeKind kind : kKinds) {
-    auto rival = std::find_if(rivals_.begin(), rivals_.end(), [&](const Rival& r) { return r.kind == kind; });
-    if (rival == rivals_.end()) rival = rivals_.insert(rivals_.end(), {kind, {}, {}, 0, -1e300});
-    if (rival->log_odds > change_now) continue;
-    *rival = {kind, nominal_, nominal_, seen.begin, change_now};
-    rival->model.covariance.diagonal() += opened(kind).cwiseAbs2();
+  if (rivals_.empty())
+    for (const GyroChangeKind kind : kKinds)
+      for (const double life : kLives) rivals_.push_back({kind, {}, {}, life, -life, -1e9, 0});
+  for (Rival& r : rivals_) {
+    const bool wins = r.log_odds > r.first_log_odds;
+    if (wins || seen.begin - r.since_s < r.life_s) continue;
+    r.model = r.before = nominal_;
+    r.model.covariance.diagonal() += opened(r.kind).cwiseAbs2();
+    r.since_s = seen.begin;
+    r.log_odds = r.first_log_odds = change_now;
   }
+}
+
+// The likeliest, if what it says has changed is likelier than all else together.
+const GyroFilter::Rival* GyroFilter::sure_rival() const {
+  const auto best = std::max_element(rivals_.begin(), rivals_.end(), [](const Rival& a, const Rival& b) {
+    return a.log_odds < b.log_odds;
+  });
+  double others = std::exp(-best->log_odds);
+  for (const Rival& r : rivals_)
+    if (r.kind != best->kind) others += std::exp(r.log_odds - best->log_odds);
+  return kSureOdds * others < 1 ? &*best : nullptr;
 }
 
 std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const SeenTurn& seen,
@@ -77,38 +97,38 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   nominal_.go_on_to(seen.end);
   for (Rival& r : rivals_) r.model.go_on_to(seen.end);
   begin_rivals(seen);
-  const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_);
-  if (likelihood) {
+  std::optional<FoundGyroChange> found;
+  if (const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_)) {
     for (Rival& r : rivals_)
       r.log_odds += update(gyro, seen, factor, &r.model).value_or(*likelihood) - *likelihood;
-  }
-  const auto best = std::max_element(rivals_.begin(), rivals_.end(), [](const Rival& a, const Rival& b) {
-    return a.log_odds < b.log_odds;
-  });
-  std::optional<FoundGyroChange> found;
-  if (best->log_odds > 0) {
-    found = {best->kind, best->since_s, best->before.change_to(best->model)};
-    nominal_ = best->model;
-    rivals_.clear();
+    if (const Rival* sure = sure_rival()) {
+      found = {sure->kind, sure->since_s, sure->before.change_to(sure->model)};
+      nominal_ = sure->model;
+      rivals_.clear();
+    }
   }
   mix();
   return found;
 }
 
 void GyroFilter::mix() {
-  double sum = 1;
-  for (const Rival& r : rivals_) sum += std::exp(r.log_odds);
+  double most = 0, sum = 0;  // relative to the filter's own
+  for (const Rival& r : rivals_) most = std::max(most, r.log_odds);
   GyroChange mean = GyroChange::Zero();
-  GyroCovariance squares = nominal_.covariance / sum;
-  for (const Rival& r : rivals_) {
-    const double weight = std::exp(r.log_odds) / sum;
-    const GyroChange off = nominal_.change_to(r.model);
+  GyroCovariance squares = GyroCovariance::Zero();
+  const auto add = [&](const GyroModel& model, double log_odds) {
+    const double weight = std::exp(log_odds - most);
+    const GyroChange off = nominal_.change_to(model);
+    sum += weight;
     mean += weight * off;
-    squares += weight * (r.model.covariance + off * off.transpose());
-  }
+    squares += weight * (model.covariance + off * off.transpose());
+  };
+  add(nominal_, 0);
+  for (const Rival& r : rivals_) add(r.model, r.log_odds);
+  mean /= sum;
   mean_ = nominal_;
   mean_.move(mean);
-  mean_.covariance = squares - mean * mean.transpose();
+  mean_.covariance = squares / sum - mean * mean.transpose();
 }
 
 std::string describe(const FoundGyroChange& change) {

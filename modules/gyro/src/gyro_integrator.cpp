@@ -13,7 +13,7 @@ namespace {
 // Kept: a keyframe is rarely older than that.
 constexpr double kKeptS = 60;
 // Samples that noise and step are measured from, and after how many new ones that is done again.
-constexpr int kMeasured = 400, kMeasureEvery = 100;
+constexpr int kMeasured = 400, kMeasureEvery = 40;
 // Rates of a gyro at rest, rad/s: its bias, and what it rounds to nothing.
 constexpr double kRest = 0.02;
 // Three samples that are further apart than so many steps lack one.
@@ -37,7 +37,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
   if (repeats && !rests(sample.rate)) return false;
-  remove_spike(t, unit_ * sample.rate);
+  judge_newest(t, unit_ * sample.rate);
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
@@ -50,17 +50,23 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   return true;
 }
 
-// The newest sample but one, now that both its neighbours are known.
-void GyroIntegrator::remove_spike(double t, const Eigen::Vector3d& rate) {
+// By its neighbours, of which `rate` is the next one.
+void GyroIntegrator::judge_newest(double t, const Eigen::Vector3d& rate) {
   constexpr double kSigmas = 6;  // motion bends rates by as much as their noise
   if (samples_.size() < 2 || noise_ == 0) return;
-  const Sample &a = samples_[samples_.size() - 2], &b = samples_.back();
+  const Sample& a = samples_[samples_.size() - 2];
+  Sample& b = samples_.back();
   if (t - a.t > kStepsApart * step_) return;  // one is missing
   const double share = (b.t - a.t) / (t - a.t), sample2 = noise_ * noise_ / step_;
   const double off2 = (b.rate - a.rate - share * (rate - a.rate)).squaredNorm();
-  if (off2 < (rate - a.rate).squaredNorm() + kSigmas * kSigmas * 1.5 * sample2) return;
-  samples_.pop_back();
-  ++spikes_;
+  const double by_noise = kSigmas * kSigmas * 1.5 * sample2, apart2 = (rate - a.rate).squaredNorm();
+  if (off2 > by_noise + apart2) {
+    samples_.pop_back();
+    samples_.back().unsure2 = 0;  // it was judged by the spike
+    ++spikes_;
+  } else if (off2 > by_noise) {
+    b.unsure2 = off2;
+  }
 }
 
 bool GyroIntegrator::rests(const Eigen::Vector3d& rate) const { return unit_ * rate.norm() < kRest; }
@@ -125,7 +131,8 @@ std::optional<GyroRotation> GyroIntegrator::rotation(double begin, double end,
     all.covariance = (E * all.covariance * E.transpose()).eval();
     // A sample that is missing between these leaves its part to its neighbours: their noise counts as often.
     const double missing = step_ > 0 ? std::max(1.0, (next->t - (next - 1)->t) / step_) : 1.0;
-    all.covariance.diagonal().array() += noise_ * noise_ * dt * missing * missing;
+    const double unsure2 = std::max(next->unsure2, (next - 1)->unsure2);
+    all.covariance.diagonal().array() += noise_ * noise_ * dt * missing * missing + unsure2 * dt * dt;
     all.by_bias = (E * all.by_bias).eval();
     all.by_bias.diagonal() += dt * factor;
     all.by_scale = (E * all.by_scale).eval();

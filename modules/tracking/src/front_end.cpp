@@ -210,7 +210,7 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
   tracked.covariance = track.result.covariance;
   tracked.corners = std::move(track.corners);
   if (const std::optional<RotationPrior>& turn = track.result.turn)
-    tracked.turn = {reference_->keyframe_id, turn->R_expected, turn->information};
+    tracked.turn = {reference_->keyframe_id, turn->R_expected, turn->covariance(tracked.T_cam_ref).inverse()};
   tracked.moving = bodies_.areas();
   tracked.return_to = decision.return_to;
   tracked.make_keyframe = decision.action == KeyframeDecision::Action::kMake;

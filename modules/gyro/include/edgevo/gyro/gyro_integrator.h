@@ -44,8 +44,9 @@ class GyroIntegrator {
   /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was. At rest many
   /// repeat their rates.
   bool add(const GyroSample& sample);
-  /// How many spikes were removed: samples that are off the line between both neighbours by more than these
-  /// are off one another, and than noise explains.
+  /// How many spikes were removed: samples that are off the line between both neighbours by more than noise
+  /// explains, and than these are off one another. Of others that are off so far the rotation is as unsure as
+  /// they are off.
   int spikes() const { return spikes_; }
   /// Whether these rates, as measured, are those of a gyro at rest.
   bool rests(const Eigen::Vector3d& rate) const;
@@ -89,13 +90,14 @@ class GyroIntegrator {
     double t;                  // seconds
     Eigen::Vector3d rate;      // as measured
     Eigen::Vector3d integral;  // of the rates up to it, rad
+    double unsure2 = 0;        // variance of its rate beyond that of the noise
   };
   using Iterator = std::deque<Sample>::const_iterator;
 
   // The first sample after `begin`; nothing unless samples without a gap reach over both times.
   std::optional<Iterator> first_within(double begin, double end) const;
   Eigen::Vector3d integral_to(double t) const;
-  void remove_spike(double t, const Eigen::Vector3d& rate);
+  void judge_newest(double t, const Eigen::Vector3d& rate);
   void measure_noise();
   void forget();
 
