@@ -156,8 +156,8 @@ class EdgeCost {
 
 // Each residual in pixels has weight 1, but points of one edge share its error.
 constexpr double kVarianceOfResidual = 4;  // px^2
-// Sigmas at which a rotation by another sensor counts half.
-constexpr double kTurnCauchy = 3;
+// Sigmas from which a rotation counts as far off.
+constexpr double kTurnHuber = 3;
 
 // Edge cost with priors on the translation and the rotation; null: none.
 class CostWithPriors {
@@ -297,7 +297,7 @@ Eigen::Vector3d RotationPrior::beyond(const SE3& T_cur_ref) const {
 
 Eigen::Matrix3d RotationPrior::weight(const SE3& T_cur_ref) const {
   const Eigen::Vector3d w = beyond(T_cur_ref);
-  return kVarianceOfResidual * cauchy_weight(std::sqrt(w.dot(information * w)), kTurnCauchy) * information;
+  return kVarianceOfResidual * huber_weight(std::sqrt(w.dot(information * w)), kTurnHuber) * information;
 }
 
 Eigen::Matrix3d RotationPrior::covariance(const SE3& T_cur_ref) const {
@@ -306,7 +306,7 @@ Eigen::Matrix3d RotationPrior::covariance(const SE3& T_cur_ref) const {
 
 double RotationPrior::cost(const SE3& T_cur_ref) const {
   const Eigen::Vector3d w = beyond(T_cur_ref);
-  return kVarianceOfResidual * cauchy_cost(std::sqrt(w.dot(information * w)), kTurnCauchy);
+  return kVarianceOfResidual * huber_cost(std::sqrt(w.dot(information * w)), kTurnHuber);
 }
 
 }  // namespace edgevo

@@ -118,6 +118,14 @@ void MotionComparison::compare_motion(const Ratio& before, CornerEvidence* evide
   if (to.step.median_depth > 0) evidence->motion_error_depths = (t_c - t_o).norm() / to.step.median_depth;
 }
 
+std::optional<CornerTurn> MotionComparison::turn() const {
+  if (int(entries_.size()) <= kNow) return std::nullopt;
+  const ChainStep &from = entries_[entries_.size() - 1 - kNow].step, &to = entries_.back().step;
+  if (!from.is_measured || !to.is_measured) return std::nullopt;
+  return CornerTurn{kNow, (to.T_cam_path * from.T_cam_path.inverse()).rotation(),
+                    from.covariance.bottomRightCorner<3, 3>() + to.covariance.bottomRightCorner<3, 3>()};
+}
+
 void MotionComparison::compare_rotation(CornerEvidence* evidence) const {
   const Entry& from = entries_[entries_.size() - 1 - kNow];
   const Entry& to = entries_.back();

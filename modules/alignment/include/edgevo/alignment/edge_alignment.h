@@ -42,7 +42,7 @@ struct TranslationPrior {
 };
 
 /// Prior on the rotation, such as that of a gyro: w of R_cur_ref = exp(w) R_expected is zero within its
-/// covariance, or far off now and then: it counts less the further it is off (Cauchy).
+/// covariance, or far off now and then.
 struct RotationPrior {
   /// Predicted rotation, reference to current camera.
   Eigen::Quaterniond R_expected = Eigen::Quaterniond::Identity();

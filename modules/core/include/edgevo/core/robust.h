@@ -17,11 +17,4 @@ inline double huber_cost(double r, double width) {
   return a <= width ? 0.5 * r * r : width * (a - 0.5 * width);
 }
 
-/// Cauchy's weight, of what is rarely far off and then says nothing: half at `width`.
-inline double cauchy_weight(double r, double width) { return 1 / (1 + r * r / (width * width)); }
-/// Cauchy's cost, whose derivative is cauchy_weight(r) r.
-inline double cauchy_cost(double r, double width) {
-  return 0.5 * width * width * std::log1p(r * r / (width * width));
-}
-
 }  // namespace edgevo
