@@ -8,6 +8,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/gyro_file.h"
+#include "edgevo/gyro/gyro_model.h"
 
 namespace edgevo {
 namespace {
@@ -54,7 +55,10 @@ void check_times(const std::vector<GyroSample>& samples, const ImageSource& sour
 std::string uncovered(const std::vector<GyroSample>& samples, const ImageSource& source) {
   const std::vector<Timestamp> images = source.times();
   if (images.empty()) return {};
-  const auto covers = [&](Timestamp t) { return samples.front().time <= t && t <= samples.back().time; };
+  const auto covers = [&](Timestamp t) {  // as far as clocks may differ
+    return seconds_between(t, samples.front().time) <= kMostGyroOffsetS &&
+           seconds_between(samples.back().time, t) <= kMostGyroOffsetS;
+  };
   const auto first = std::find_if(images.begin(), images.end(), covers),
              end = std::find_if_not(first, images.end(), covers);
   if (first == images.begin() && end == images.end()) return {};

@@ -15,8 +15,8 @@ namespace {
 constexpr double kBetweenChanges = 1000;
 // Odds against all else at which a change is sure.
 constexpr double kSureOdds = 100;
-// A rival that has not won so many seconds after its beginning begins anew: a large change is seen within some
-// images, a small one within seconds.
+// A rival that has not won so many seconds after its beginning begins anew: a large change is seen within
+// some images, a small one within seconds.
 constexpr double kLives[] = {0.3, 3};
 // Share of the rotations of images that are outliers, and their variance over that of the others.
 constexpr double kOutliers = 0.02, kOutlierVariance = 100;
@@ -36,8 +36,18 @@ GyroChange opened(GyroChangeKind kind) {
   return sigma;
 }
 
-// The update by a rotation, and the logarithm of how likely it was; nothing where samples are missing.
-std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
+// Logarithms of how likely a rotation was, and how likely if the gyro does not turn with the camera.
+struct Likelihood {
+  double known, broken;
+};
+
+// Rates of a gyro that turns with something else differ by this, rad/s.
+constexpr double kOtherRate = 1;
+// Seconds after which it may turn with the camera again.
+constexpr double kBroken = 1;
+
+// The update by a rotation; nothing where samples are missing.
+std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
                              GyroModel* model) {
   const std::optional<CameraTurn> shown = camera_turn(gyro, *model, seen.begin, seen.end);
   if (!shown) return std::nullopt;
@@ -49,8 +59,8 @@ std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, d
   const double square = beyond.dot(information * beyond), spread = std::log(S.determinant());
   if (!std::isfinite(square + spread)) return std::nullopt;
   const double inlier = std::log(1 - kOutliers) - 0.5 * square,
-               outlier = std::log(kOutliers) - 0.5 * square / kOutlierVariance -
-                         1.5 * std::log(kOutlierVariance),
+               outlier =
+                   std::log(kOutliers) - 0.5 * square / kOutlierVariance - 1.5 * std::log(kOutlierVariance),
                most = std::max(inlier, outlier),
                both = most + std::log(std::exp(inlier - most) + std::exp(outlier - most)),
                weight = std::exp(inlier - both);
@@ -60,7 +70,10 @@ std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, d
   // Of the mixture of both: with the update, and without.
   P += weight * (1 - weight) * step * step.transpose() - weight * K * J * P;
   P = (0.5 * (P + P.transpose())).eval();
-  return both - 0.5 * spread;
+  const double other = kOtherRate * (seen.end - seen.begin);
+  const Eigen::Matrix3d wide = S + other * other * Eigen::Matrix3d::Identity();
+  return Likelihood{both - 0.5 * spread,
+                    -0.5 * beyond.dot(wide.inverse() * beyond) - 0.5 * std::log(wide.determinant())};
 }
 
 }  // namespace
@@ -82,9 +95,8 @@ void GyroFilter::begin_rivals(const SeenTurn& seen) {
 
 // The likeliest, if what it says has changed is likelier than all else together.
 const GyroFilter::Rival* GyroFilter::sure_rival() const {
-  const auto best = std::max_element(rivals_.begin(), rivals_.end(), [](const Rival& a, const Rival& b) {
-    return a.log_odds < b.log_odds;
-  });
+  const auto best = std::max_element(rivals_.begin(), rivals_.end(),
+                                     [](const Rival& a, const Rival& b) { return a.log_odds < b.log_odds; });
   double others = std::exp(-best->log_odds);
   for (const Rival& r : rivals_)
     if (r.kind != best->kind) others += std::exp(r.log_odds - best->log_odds);
@@ -98,9 +110,16 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   for (Rival& r : rivals_) r.model.go_on_to(seen.end);
   begin_rivals(seen);
   std::optional<FoundGyroChange> found;
-  if (const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_)) {
-    for (Rival& r : rivals_)
-      r.log_odds += update(gyro, seen, factor, &r.model).value_or(*likelihood) - *likelihood;
+  if (const std::optional<Likelihood> likelihood = update(gyro, seen, factor, &nominal_)) {
+    const double odds_before = log_odds_of_all();
+    for (Rival& r : rivals_) {
+      const std::optional<Likelihood> of_rival = update(gyro, seen, factor, &r.model);
+      if (of_rival) r.log_odds += of_rival->known - likelihood->known;
+    }
+    const double dt = seen.end - seen.begin, begins = dt / kBetweenChanges, ends = std::min(1.0, dt / kBroken),
+                 before = broken_ * (1 - ends) + (1 - broken_) * begins,
+                 known = likelihood->known + log_odds_of_all() - odds_before;
+    broken_ = 1 / (1 + (1 - before) / before * std::exp(known - likelihood->broken));
     if (const Rival* sure = sure_rival()) {
       found = {sure->kind, sure->since_s, sure->before.change_to(sure->model)};
       nominal_ = sure->model;
@@ -109,6 +128,15 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   }
   mix();
   return found;
+}
+
+// Of the filter and its rivals together, relative to the filter.
+double GyroFilter::log_odds_of_all() const {
+  double most = 0;
+  for (const Rival& r : rivals_) most = std::max(most, r.log_odds);
+  double sum = std::exp(-most);
+  for (const Rival& r : rivals_) sum += std::exp(r.log_odds - most);
+  return most + std::log(sum);
 }
 
 void GyroFilter::mix() {

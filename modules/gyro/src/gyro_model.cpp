@@ -98,8 +98,8 @@ std::string describe(const GyroModel& model) {
                 "turned by (%.1f, %.1f, %.1f) degrees to the camera (+- %.2f), its clock %+.1f ms (+- %.1f), "
                 "bias (%.3f, %.3f, %.3f) degrees/s",
                 deg(turn.x()), deg(turn.y()), deg(turn.z()), deg(model.rotation_sigma()),
-                1e3 * model.offset_s, 1e3 * std::sqrt(model.covariance(kGyroOffset, kGyroOffset)),
-                deg(b.x()), deg(b.y()), deg(b.z()));
+                1e3 * model.offset_s, 1e3 * std::sqrt(model.covariance(kGyroOffset, kGyroOffset)), deg(b.x()),
+                deg(b.y()), deg(b.z()));
   return text + describe_rates(model);
 }
 

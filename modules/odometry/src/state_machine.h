@@ -86,8 +86,8 @@ class OdometryState {
   int segment() const { return segment_; }
 
   /// Whether a frame with that many edge pixels is tracked. After a loss each such frame uses up one of a
-  /// limited number of tries, or less where another sensor knows its heading to `heading_sigma`, radians: that
-  /// share of what a search covers.
+  /// limited number of tries, or less where another sensor knows its heading to `heading_sigma`, radians:
+  /// that share of what a search covers.
   bool tracks(int edges, double heading_sigma = std::numeric_limits<double>::infinity());
   /// Whether the frame goes to the bootstrap after it was tracked.
   bool bootstraps() const { return phase_ != Phase::kTracking; }

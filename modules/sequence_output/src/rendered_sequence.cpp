@@ -45,7 +45,8 @@ std::string camera_text_for(const Camera& camera) {
   return camera.plumb_bob() ? std::string() : camera_yaml(camera, "");
 }
 
-SimulatedGyro gyro_of(const SceneRenderer& renderer, const RenderRequest& options, const FolderExport& range) {
+SimulatedGyro gyro_of(const SceneRenderer& renderer, const RenderRequest& options,
+                      const FolderExport& range) {
   constexpr double kBeyondS = 0.5;  // both ends
   const std::vector<Timestamp>& times = renderer.scene().times;
   const size_t end = range.end < 0 ? times.size() : size_t(range.end);
@@ -99,8 +100,7 @@ std::string write_rendered_rawlog(const std::shared_ptr<const SceneRenderer>& re
     throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or omit --depth");
   if (options.edges)
     throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or omit --edges");
-  std::unique_ptr<ImageSource> source =
-      std::make_unique<RenderedSource>(renderer, range.begin, range.end);
+  std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, range.begin, range.end);
   const std::string truth = ground_truth_tum(*renderer, range.begin, range.begin + *source->size());
   if (!options.gyro.empty()) {
     const SimulatedGyro gyro = gyro_of(*renderer, options, range);

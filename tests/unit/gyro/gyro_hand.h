@@ -36,7 +36,7 @@ inline SimulatedGyro gyro_of(const Placed& b) {
 
 // Feeds samples and turns of images, as a run does; `on_image` after each.
 inline GyroAid follow(const Placed& b, const SimulatedGyro& gyro,
-               const std::function<void(double, const GyroAid&)>& on_image = {}) {
+                      const std::function<void(double, const GyroAid&)>& on_image = {}) {
   GyroAid aid;
   Random random(b.seed);
   size_t next = 0;

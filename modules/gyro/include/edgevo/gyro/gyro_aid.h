@@ -63,6 +63,7 @@ class GyroAid {
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);
   void note_change(const FoundGyroChange& change);
+  void check_again();
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
   void refuse(double gyro2, double going_on2);
@@ -79,8 +80,8 @@ class GyroAid {
   std::optional<SeenTurn> last_;
   bool was_observed_ = false, checks_change_ = false;
   std::string changed_;  // when and how it has changed last
-  std::string stuck_;  // since when it repeats its rates
-  std::string fault_;  // why it is not used; empty: none
+  std::string stuck_;    // since when it repeats its rates
+  std::string fault_;    // why it is not used; empty: none
   std::vector<std::string> reports_;
 };
 

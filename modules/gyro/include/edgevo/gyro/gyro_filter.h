@@ -6,9 +6,9 @@
 // A Kalman filter takes each rotation as either within its covariance, or as an outlier ten times as wide:
 // the probability of the first is the weight of its update. Next to it rivals are kept, two for each thing
 // that may change at once: in each the covariance of that thing was opened once, a short or a longer time
-// ago, and its odds are those of a change times the ratio of the likelihoods since. Once one is sure, it takes
-// the place of the filter. Until then, what is given is the mean of all, with the covariance of the mixture
-// (Blom and Bar-Shalom, IEEE Trans. Automatic Control 33, 1988).
+// ago, and its odds are those of a change times the ratio of the likelihoods since. Once one is sure, it
+// takes the place of the filter. Until then, what is given is the mean of all, with the covariance of the
+// mixture (Blom and Bar-Shalom, IEEE Trans. Automatic Control 33, 1988).
 #include <optional>
 #include <vector>
 
@@ -37,6 +37,8 @@ class GyroFilter {
   /// Takes a rotation that the images show, whose covariance and that of the gyro's noise are `factor` times
   /// larger than stated. Returns what has changed, if that is sure now. Cost: 60 microseconds.
   std::optional<FoundGyroChange> see(const GyroIntegrator& gyro, const SeenTurn& seen, double factor);
+  /// Whether the newest rotation is more likely if the gyro turns with something else, or not at all.
+  bool is_broken() const { return broken_ > 0.5; }
   /// The unknowns with the covariance of the mixture.
   const GyroModel& model() const { return mean_; }
 
@@ -49,10 +51,12 @@ class GyroFilter {
   };
   void begin_rivals(const SeenTurn& seen);
   const Rival* sure_rival() const;
+  double log_odds_of_all() const;
   void mix();
 
   GyroModel nominal_, mean_;
   std::vector<Rival> rivals_;
+  double broken_ = 0;  // probability that it does not turn with the camera now
 };
 
 /// In words: "its bias has changed by ... ".

@@ -40,9 +40,9 @@ struct GyroRotation {
 /// of the first sample.
 class GyroIntegrator {
  public:
-  /// Takes the next sample; a spike before it is removed, as if it were missing. One that is not after the one before, is not finite, or turns as the one before
-  /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was. At rest many
-  /// repeat their rates.
+  /// Takes the next sample; a spike before it is removed, as if it were missing. One that is not after the
+  /// one before, is not finite, or turns as the one before it to the last bit, as a sensor does that is
+  /// stuck, is not used; returns whether it was. At rest many repeat their rates.
   bool add(const GyroSample& sample);
   /// How many spikes were removed: samples that are off the line between both neighbours by more than noise
   /// explains, and than these are off one another. Of others that are off so far the rotation is as unsure as

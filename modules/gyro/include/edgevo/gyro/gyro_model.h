@@ -26,7 +26,8 @@ using GyroJacobian = Eigen::Matrix<double, 3, kGyroUnknowns>;
 struct GyroModel {
   /// Turns vectors from the axes of the gyro to those of the camera.
   Eigen::Quaterniond R_cam_gyro = Eigen::Quaterniond::Identity();
-  /// Time that the gyro's clock shows less that of the camera's, seconds, at `at_s` of GyroIntegrator's count.
+  /// Time that the gyro's clock shows less that of the camera's, seconds, at `at_s` of GyroIntegrator's
+  /// count.
   double offset_s = 0, at_s = 0;
   /// Seconds that it gains a second.
   double drift = 0;
@@ -46,7 +47,8 @@ struct GyroModel {
   void move(const GyroChange& by);
   /// The change of the unknowns that makes this model the other one.
   GyroChange change_to(const GyroModel& other) const;
-  /// Goes on to a later time: the clock has gained, and the bias may have changed as that of a MEMS gyro does.
+  /// Goes on to a later time: the clock has gained, and the bias may have changed as that of a MEMS gyro
+  /// does.
   void go_on_to(double t);
 };
 

@@ -25,8 +25,8 @@ class GyroFeed {
     for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
   }
 
-  /// What is to be said if its samples are not of the time of the frames; else empty. A foreign clock, or that of
-  /// another recording.
+  /// What is to be said if its samples are not of the time of the frames; else empty. A foreign clock, or
+  /// that of another recording.
   std::string mismatch() const;
 
  private:

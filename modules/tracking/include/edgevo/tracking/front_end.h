@@ -160,8 +160,8 @@ class FrontEnd {
   GyroAid gyro_;
   std::optional<ImageTurn> seen_turn_;          // until the pose is confirmed
   std::deque<Eigen::Quaterniond> image_turns_;  // by edges alone, one after the other
-  Timestamp begun_, pose_time_;            // of the newest frame, and of the last one with a pose
-  std::optional<RotationByImage> turned_;  // of that one
+  Timestamp begun_, pose_time_;                 // of the newest frame, and of the last one with a pose
+  std::optional<RotationByImage> turned_;       // of that one
   MotionHistory* history_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
