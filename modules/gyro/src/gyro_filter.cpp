@@ -48,7 +48,7 @@ constexpr double kBroken = 1;
 
 // The update by a rotation; nothing where samples are missing.
 std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
-                             GyroModel* model) {
+                                 GyroModel* model) {
   const std::optional<CameraTurn> shown = camera_turn(gyro, *model, seen.begin, seen.end);
   if (!shown) return std::nullopt;
   const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
@@ -116,8 +116,8 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
       const std::optional<Likelihood> of_rival = update(gyro, seen, factor, &r.model);
       if (of_rival) r.log_odds += of_rival->known - likelihood->known;
     }
-    const double dt = seen.end - seen.begin, begins = dt / kBetweenChanges, ends = std::min(1.0, dt / kBroken),
-                 before = broken_ * (1 - ends) + (1 - broken_) * begins,
+    const double dt = seen.end - seen.begin, begins = dt / kBetweenChanges,
+                 ends = std::min(1.0, dt / kBroken), before = broken_ * (1 - ends) + (1 - broken_) * begins,
                  known = likelihood->known + log_odds_of_all() - odds_before;
     broken_ = 1 / (1 + (1 - before) / before * std::exp(known - likelihood->broken));
     if (const Rival* sure = sure_rival()) {

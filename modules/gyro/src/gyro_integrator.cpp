@@ -37,7 +37,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
   if (repeats && !rests(sample.rate)) return false;
-  judge_newest(t, unit_ * sample.rate);
+  weigh_newest(t, unit_ * sample.rate);
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
@@ -51,7 +51,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
 }
 
 // By its neighbours, of which `rate` is the next one.
-void GyroIntegrator::judge_newest(double t, const Eigen::Vector3d& rate) {
+void GyroIntegrator::weigh_newest(double t, const Eigen::Vector3d& rate) {
   constexpr double kSigmas = 6;  // motion bends rates by as much as their noise
   if (samples_.size() < 2 || noise_ == 0) return;
   const Sample& a = samples_[samples_.size() - 2];
@@ -62,7 +62,7 @@ void GyroIntegrator::judge_newest(double t, const Eigen::Vector3d& rate) {
   const double by_noise = kSigmas * kSigmas * 1.5 * sample2, apart2 = (rate - a.rate).squaredNorm();
   if (off2 > by_noise + apart2) {
     samples_.pop_back();
-    samples_.back().unsure2 = 0;  // it was judged by the spike
+    samples_.back().unsure2 = 0;  // it was compared with the spike
     ++spikes_;
   } else if (off2 > by_noise) {
     b.unsure2 = off2;

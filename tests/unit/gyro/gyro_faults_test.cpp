@@ -115,7 +115,7 @@ TEST(GyroFaults, ASingleWrongImageIsNoChange) {
   EXPECT_THAT(aid.statement(), ::testing::Not(HasSubstr("changed")));
 }
 
-TEST(GyroIntegrator, ASpikeIsLeftOutAndAHardTurnIsNot) {
+TEST(GyroIntegrator, ASpikeIsRemovedAndAHardTurnIsNot) {
   GyroIntegrator gyro;
   Random random(1);
   const auto feed = [&](int from, int to, const std::function<Eigen::Vector3d(int)>& rate) {

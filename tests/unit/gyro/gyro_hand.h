@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// A hand that holds a camera and a gyro, and what a run would tell a GyroAid.
+// A hand that holds a camera and a gyro, and what a run would show a GyroAid.
 #include <functional>
 #include <string>
 

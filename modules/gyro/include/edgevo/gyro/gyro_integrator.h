@@ -97,7 +97,7 @@ class GyroIntegrator {
   // The first sample after `begin`; nothing unless samples without a gap reach over both times.
   std::optional<Iterator> first_within(double begin, double end) const;
   Eigen::Vector3d integral_to(double t) const;
-  void judge_newest(double t, const Eigen::Vector3d& rate);
+  void weigh_newest(double t, const Eigen::Vector3d& rate);
   void measure_noise();
   void forget();
 
