@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// Follows the unknowns of a gyro by rotations of the images, and tells an error that changed at once from a
-// single image that is wrong.
+// Follows the unknowns of a gyro by rotations of the images, and separates an error that changed at once
+// from a single image that is wrong. What no rival explains is a gyro that does not turn with the camera.
 //
 // A Kalman filter takes each rotation as either within its covariance, or as an outlier ten times as wide:
 // the probability of the first is the weight of its update. Next to it rivals are kept, two for each thing
