@@ -120,13 +120,12 @@ void GyroAid::take_fit(const GyroFit& fit) {
   if (fit.kind == Kind::kPerhapsMirrored) return;
   if (fit.kind == Kind::kMirrored)
     return report_once("not used: its axes are mirrored, or two are swapped (left-handed)", &fault_);
-  constexpr double kNoUnit = 100;  // one that hardly turns
-  if (fit.kind == Kind::kOtherRates && fit.times < kNoUnit) {
+  if (fit.kind == Kind::kOtherRates) {
     char text[120];
     std::snprintf(text, sizeof text, "not used: the images turn %.2f times as fast as its rates", fit.times);
     return report_once(text, &fault_);
   }
-  if (fit.kind != Kind::kRelated)
+  if (fit.kind == Kind::kUnrelated)
     return report_once("not used: the images turn, and it does not turn with them", &fault_);
   filter_.emplace(fit.model);
   fault_.clear();
@@ -153,23 +152,17 @@ std::pair<double, double> GyroAid::errors2() const {
 void GyroAid::follow(const SeenTurn& seen) {
   const std::optional<CameraTurn> shown = camera_turn(gyro_, filter_->model(), seen.begin, seen.end);
   if (!shown) return;
-  const bool was_broken = filter_->is_broken();
   if (const auto change = filter_->see(gyro_, seen, factor())) note_change(*change);
-  if (filter_->is_broken() && !was_broken) check_again();
   compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));
 }
 
+// Whether it still turns with the camera is found as that of a new one.
 void GyroAid::note_change(const FoundGyroChange& change) {
   changed_ = describe(change) + formatted(" at %.2f s after its first sample", change.since_s);
   reports_.push_back("gyro: " + changed_);
-  check_again();
-}
-
-// Whether it still turns with the camera is found as that of a new one, and sooner.
-void GyroAid::check_again() {
   if (std::exchange(checks_change_, true)) return;
   turns_.clear();
-  next_calibration_ = kFirstTurns / 3;
+  next_calibration_ = kFirstTurns;
 }
 
 void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond) {
@@ -201,7 +194,7 @@ void GyroAid::refuse(double gyro2, double going_on2) {
 }
 
 std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
-  if (!is_used() || filter_->is_broken()) return std::nullopt;
+  if (!is_used()) return std::nullopt;
   std::optional<CameraTurn> found =
       camera_turn(gyro_, filter_->model(), gyro_.seconds(begin), gyro_.seconds(end));
   if (found) found->covariance *= factor();
@@ -209,7 +202,7 @@ std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
 }
 
 std::optional<Eigen::Vector3d> GyroAid::rate_of_points(Timestamp time) const {
-  if (!is_used() || filter_->is_broken()) return std::nullopt;
+  if (!is_used()) return std::nullopt;
   const GyroModel& model = filter_->model();
   const double t = gyro_.seconds(time);
   const auto rate = gyro_.rate(t + model.offset_at(t), model.errors);

@@ -36,19 +36,9 @@ GyroChange opened(GyroChangeKind kind) {
   return sigma;
 }
 
-// Logarithms of how likely a rotation was, and how likely if the gyro does not turn with the camera.
-struct Likelihood {
-  double known, broken;
-};
-
-// Rates of a gyro that turns with something else differ by this, rad/s.
-constexpr double kOtherRate = 1;
-// Seconds after which it may turn with the camera again.
-constexpr double kBroken = 1;
-
-// The update by a rotation; nothing where samples are missing.
-std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
-                                 GyroModel* model) {
+// The update by a rotation, and the logarithm of how likely it was; nothing where samples are missing.
+std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
+                             GyroModel* model) {
   const std::optional<CameraTurn> shown = camera_turn(gyro, *model, seen.begin, seen.end);
   if (!shown) return std::nullopt;
   const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
@@ -70,10 +60,7 @@ std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& see
   // Of the mixture of both: with the update, and without.
   P += weight * (1 - weight) * step * step.transpose() - weight * K * J * P;
   P = (0.5 * (P + P.transpose())).eval();
-  const double other = kOtherRate * (seen.end - seen.begin);
-  const Eigen::Matrix3d wide = S + other * other * Eigen::Matrix3d::Identity();
-  return Likelihood{both - 0.5 * spread,
-                    -0.5 * beyond.dot(wide.inverse() * beyond) - 0.5 * std::log(wide.determinant())};
+  return both - 0.5 * spread;
 }
 
 }  // namespace
@@ -110,16 +97,9 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   for (Rival& r : rivals_) r.model.go_on_to(seen.end);
   begin_rivals(seen);
   std::optional<FoundGyroChange> found;
-  if (const std::optional<Likelihood> likelihood = update(gyro, seen, factor, &nominal_)) {
-    const double odds_before = log_odds_of_all();
-    for (Rival& r : rivals_) {
-      const std::optional<Likelihood> of_rival = update(gyro, seen, factor, &r.model);
-      if (of_rival) r.log_odds += of_rival->known - likelihood->known;
-    }
-    const double dt = seen.end - seen.begin, begins = dt / kBetweenChanges,
-                 ends = std::min(1.0, dt / kBroken), before = broken_ * (1 - ends) + (1 - broken_) * begins,
-                 known = likelihood->known + log_odds_of_all() - odds_before;
-    broken_ = 1 / (1 + (1 - before) / before * std::exp(known - likelihood->broken));
+  if (const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_)) {
+    for (Rival& r : rivals_)
+      r.log_odds += update(gyro, seen, factor, &r.model).value_or(*likelihood) - *likelihood;
     if (const Rival* sure = sure_rival()) {
       found = {sure->kind, sure->since_s, sure->before.change_to(sure->model)};
       nominal_ = sure->model;
@@ -128,15 +108,6 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   }
   mix();
   return found;
-}
-
-// Of the filter and its rivals together, relative to the filter.
-double GyroFilter::log_odds_of_all() const {
-  double most = 0;
-  for (const Rival& r : rivals_) most = std::max(most, r.log_odds);
-  double sum = std::exp(-most);
-  for (const Rival& r : rivals_) sum += std::exp(r.log_odds - most);
-  return most + std::log(sum);
 }
 
 void GyroFilter::mix() {

@@ -63,7 +63,6 @@ class GyroAid {
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);
   void note_change(const FoundGyroChange& change);
-  void check_again();
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
   void refuse(double gyro2, double going_on2);

@@ -11,8 +11,14 @@ namespace edgevo {
 
 /// Unknowns of a GyroModel: rotation (3), bias (3), offset, scales (3), drift.
 constexpr int kGyroUnknowns = 11;
-/// Where they begin.
-constexpr int kGyroBias = 3, kGyroOffset = 6, kGyroScale = 7, kGyroDrift = 10;
+/// Where the bias begins.
+constexpr int kGyroBias = 3;
+/// Where the offset is.
+constexpr int kGyroOffset = 6;
+/// Where the scales begin.
+constexpr int kGyroScale = 7;
+/// Where the drift is.
+constexpr int kGyroDrift = 10;
 /// Clocks of gyro and camera may differ by this, seconds: more is another recording's.
 constexpr double kMostGyroOffsetS = 0.2;
 /// A change of these.
