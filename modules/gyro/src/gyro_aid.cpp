@@ -114,8 +114,10 @@ void GyroAid::take_fit(const GyroFit& fit) {
     reports_.push_back("gyro: its rates are in degrees a second, and are converted");
     return take_fit(fit_gyro(gyro_, turns_));
   }
-  const bool is_known = std::exchange(checks_change_, false) && is_observed();
-  if (is_known && fit.kind == Kind::kRelated) return;  // as the filter has followed it
+  const bool is_known = checks_change_ && is_observed();
+  if (is_known && fit.kind == Kind::kPerhapsMirrored) return;
+  checks_change_ = false;
+  if (is_known && fit.kind == Kind::kRelated && !filter_->is_broken()) return;  // as it was followed
   filter_.reset();
   if (fit.kind == Kind::kPerhapsMirrored) return;
   if (fit.kind == Kind::kMirrored)
@@ -152,15 +154,23 @@ std::pair<double, double> GyroAid::errors2() const {
 void GyroAid::follow(const SeenTurn& seen) {
   const std::optional<CameraTurn> shown = camera_turn(gyro_, filter_->model(), seen.begin, seen.end);
   if (!shown) return;
-  if (const auto change = filter_->see(gyro_, seen, factor())) note_change(*change);
+  const bool was_broken = filter_->is_broken();
+  if (const auto change = filter_->see(gyro_, seen, factor())) note(describe(*change), change->since_s);
+  const bool is_broken = filter_->is_broken();
+  if (is_broken && !was_broken) note("left out: it does not turn as the images do", seen.begin);
+  if (was_broken && !is_broken) check_again();
   compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));
 }
 
-// Whether it still turns with the camera is found as that of a new one.
-void GyroAid::note_change(const FoundGyroChange& change) {
-  changed_ = describe(change) + formatted(" at %.2f s after its first sample", change.since_s);
+void GyroAid::note(const std::string& change, double since_s) {
+  changed_ = change + formatted(" at %.2f s after its first sample", since_s);
   reports_.push_back("gyro: " + changed_);
-  if (std::exchange(checks_change_, true)) return;
+  check_again();
+}
+
+// Whether it still turns with the camera is found as that of a new one, from now on.
+void GyroAid::check_again() {
+  checks_change_ = true;
   turns_.clear();
   next_calibration_ = kFirstTurns;
 }
@@ -194,7 +204,7 @@ void GyroAid::refuse(double gyro2, double going_on2) {
 }
 
 std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
-  if (!is_used()) return std::nullopt;
+  if (!is_used() || filter_->was_broken_after(gyro_.seconds(begin))) return std::nullopt;
   std::optional<CameraTurn> found =
       camera_turn(gyro_, filter_->model(), gyro_.seconds(begin), gyro_.seconds(end));
   if (found) found->covariance *= factor();
@@ -202,7 +212,7 @@ std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
 }
 
 std::optional<Eigen::Vector3d> GyroAid::rate_of_points(Timestamp time) const {
-  if (!is_used()) return std::nullopt;
+  if (!is_used() || filter_->is_broken()) return std::nullopt;
   const GyroModel& model = filter_->model();
   const double t = gyro_.seconds(time);
   const auto rate = gyro_.rate(t + model.offset_at(t), model.errors);

@@ -36,9 +36,19 @@ GyroChange opened(GyroChangeKind kind) {
   return sigma;
 }
 
-// The update by a rotation, and the logarithm of how likely it was; nothing where samples are missing.
-std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
-                             GyroModel* model) {
+// Rates of a gyro that does not turn with the camera differ by this, rad/s: a hand or a robot that turns.
+constexpr double kOtherRate = 1;
+// Seconds for which it does not.
+constexpr double kBroken = 1;
+
+// Logarithms of how likely a rotation was, and how likely if the gyro does not turn with the camera.
+struct Likelihood {
+  double known, broken;
+};
+
+// The update by a rotation; nothing where samples are missing.
+std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
+                                 GyroModel* model) {
   const std::optional<CameraTurn> shown = camera_turn(gyro, *model, seen.begin, seen.end);
   if (!shown) return std::nullopt;
   const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
@@ -60,7 +70,10 @@ std::optional<double> update(const GyroIntegrator& gyro, const SeenTurn& seen, d
   // Of the mixture of both: with the update, and without.
   P += weight * (1 - weight) * step * step.transpose() - weight * K * J * P;
   P = (0.5 * (P + P.transpose())).eval();
-  return both - 0.5 * spread;
+  const double other = kOtherRate * (seen.end - seen.begin);
+  const Eigen::Matrix3d wide = S + other * other * Eigen::Matrix3d::Identity();
+  return Likelihood{both - 0.5 * spread,
+                    -0.5 * beyond.dot(wide.inverse() * beyond) - 0.5 * std::log(wide.determinant())};
 }
 
 }  // namespace
@@ -80,11 +93,13 @@ void GyroFilter::begin_rivals(const SeenTurn& seen) {
   }
 }
 
-// The likeliest, if what it says has changed is likelier than all else together.
+// The likeliest, if what it says has changed is likelier than all else together; so it is not while the
+// gyro turns with something else.
 const GyroFilter::Rival* GyroFilter::sure_rival() const {
   const auto best = std::max_element(rivals_.begin(), rivals_.end(),
                                      [](const Rival& a, const Rival& b) { return a.log_odds < b.log_odds; });
   double others = std::exp(-best->log_odds);
+  others += broken_ / (1 - broken_) * std::exp(log_odds_of_all() - best->log_odds);
   for (const Rival& r : rivals_)
     if (r.kind != best->kind) others += std::exp(r.log_odds - best->log_odds);
   return kSureOdds * others < 1 ? &*best : nullptr;
@@ -97,9 +112,15 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   for (Rival& r : rivals_) r.model.go_on_to(seen.end);
   begin_rivals(seen);
   std::optional<FoundGyroChange> found;
-  if (const std::optional<double> likelihood = update(gyro, seen, factor, &nominal_)) {
-    for (Rival& r : rivals_)
-      r.log_odds += update(gyro, seen, factor, &r.model).value_or(*likelihood) - *likelihood;
+  const double odds_before = log_odds_of_all();
+  if (const std::optional<Likelihood> likelihood = update(gyro, seen, factor, &nominal_)) {
+    for (Rival& r : rivals_) {
+      const std::optional<Likelihood> of_rival = update(gyro, seen, factor, &r.model);
+      if (of_rival) r.log_odds += of_rival->known - likelihood->known;
+    }
+    const double known = likelihood->known + log_odds_of_all() - odds_before;
+    weigh_broken(seen.end - seen.begin, known - likelihood->broken);
+    if (is_broken()) broken_until_s_ = seen.end;
     if (const Rival* sure = sure_rival()) {
       found = {sure->kind, sure->since_s, sure->before.change_to(sure->model)};
       nominal_ = sure->model;
@@ -108,6 +129,22 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   }
   mix();
   return found;
+}
+
+// `log_ratio`: of the likelihood of a gyro that turns with the camera to that of one that does not.
+void GyroFilter::weigh_broken(double dt, double log_ratio) {
+  const double begins = dt / kBetweenChanges, ends = std::min(0.5, dt / kBroken);
+  const double before = broken_ * (1 - ends) + (1 - broken_) * begins;
+  broken_ = 1 / (1 + (1 - before) / before * std::exp(log_ratio));
+}
+
+// Of the filter and its rivals together, relative to the filter.
+double GyroFilter::log_odds_of_all() const {
+  double most = 0;
+  for (const Rival& r : rivals_) most = std::max(most, r.log_odds);
+  double sum = std::exp(-most);
+  for (const Rival& r : rivals_) sum += std::exp(r.log_odds - most);
+  return most + std::log(sum);
 }
 
 void GyroFilter::mix() {

@@ -62,7 +62,8 @@ class GyroAid {
   void calibrate();
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);
-  void note_change(const FoundGyroChange& change);
+  void note(const std::string& change, double since_s);
+  void check_again();
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
   void refuse(double gyro2, double going_on2);
