@@ -157,7 +157,7 @@ void GyroAid::follow(const SeenTurn& seen) {
   const bool was_broken = filter_->is_broken();
   if (const auto change = filter_->see(gyro_, seen, factor())) note(describe(*change), change->since_s);
   const bool is_broken = filter_->is_broken();
-  if (is_broken && !was_broken) note("left out: it does not turn as the images do", seen.begin);
+  if (is_broken && !was_broken) note("not used for now: it does not turn as the images do", seen.begin);
   if (was_broken && !is_broken) check_again();
   compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));
 }
