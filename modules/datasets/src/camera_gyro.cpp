@@ -30,7 +30,7 @@ std::optional<GyroModel> parse_yaml_gyro(const std::string& text, const std::str
   gyro.R_cam_gyro = rotation_of(rad(1) * Eigen::Vector3d(values[0], values[1], values[2]));
   gyro.offset_s = values[3];
   gyro.covariance.diagonal().head<3>().setConstant(kRotationSigma * kRotationSigma);
-  gyro.covariance(6, 6) = kOffsetSigma * kOffsetSigma;
+  gyro.covariance(kGyroOffset, kGyroOffset) = kOffsetSigma * kOffsetSigma;
   return gyro;
 }
 

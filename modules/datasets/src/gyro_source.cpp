@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gyro_source.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/gyro_file.h"
+#include "edgevo/gyro/gyro_model.h"
 
 namespace edgevo {
 namespace {
@@ -49,9 +51,27 @@ void check_times(const std::vector<GyroSample>& samples, const ImageSource& sour
                    "give the gyro of the same recording and clock, or --gyro off");
 }
 
+// Where images have no gyro; empty: nowhere.
+std::string uncovered(const std::vector<GyroSample>& samples, const ImageSource& source) {
+  const std::vector<Timestamp> images = source.times();
+  if (images.empty()) return {};
+  const auto covers = [&](Timestamp t) {  // as far as clocks may differ
+    return seconds_between(t, samples.front().time) <= kMostGyroOffsetS &&
+           seconds_between(samples.back().time, t) <= kMostGyroOffsetS;
+  };
+  const auto first = std::find_if(images.begin(), images.end(), covers),
+             end = std::find_if_not(first, images.end(), covers);
+  if (first == images.begin() && end == images.end()) return {};
+  if (first == end) return "it covers no image";
+  return "it covers only the images from " + to_string(*first) + " to " + to_string(*(end - 1)) + " s, of " +
+         to_string(images.front()) + " to " + to_string(images.back()) + " s";
+}
+
 GyroFile read_for(const ImageSource& source, const std::string& path) {
   GyroFile file = read_gyro_file(path);
   check_times(file.samples, source, path);
+  if (const std::string part = uncovered(file.samples, source); !part.empty())
+    file.decided += (file.decided.empty() ? "" : "; ") + part;
   return file;
 }
 
@@ -71,7 +91,7 @@ std::unique_ptr<ImageSource> with_gyro(std::unique_ptr<ImageSource> inner, const
     return with_file(std::move(inner), std::move(file), options.gyro, "by --gyro");
   }
   const std::string found = find_gyro_file(options.path);
-  if (found.empty()) return inner;
+  if (found.empty() || inner->gyro_readings()) return inner;  // its own is that of the recording
   try {
     GyroFile file = read_for(*inner, found);
     return with_file(std::move(inner), std::move(file), found, "lies next to the images; --gyro off without");

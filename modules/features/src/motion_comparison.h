@@ -6,6 +6,7 @@
 
 #include "corner_chain.h"
 #include "edgevo/core/frame_evidence.h"
+#include "edgevo/features/feature_tracker.h"
 
 namespace edgevo {
 
@@ -30,6 +31,8 @@ class MotionComparison {
   std::optional<double> unit() const;
   /// Everything that the two paths say, the other fields of the evidence left as they are.
   void compare(CornerEvidence* evidence) const;
+  /// FeatureTracker::turn().
+  std::optional<CornerTurn> turn() const;
 
  private:
   using OdometryPose = std::optional<SE3> Entry::*;

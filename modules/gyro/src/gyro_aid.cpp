@@ -24,8 +24,6 @@ constexpr size_t kMostTurns = 300;  // of a fit: ten seconds
 constexpr size_t kCompared = 60;
 // A gyro whose errors are twice those of going on as before is not used.
 constexpr double kWorse = 4;  // of squares
-// Change of the bias, rad/s over the root of a second: 0.05 degrees/s in a minute, as a MEMS gyro warms up.
-constexpr double kBiasWalk = rad(0.05) / 7.7;
 constexpr double kDegrees = rad(1);
 
 std::string formatted_degrees(const char* format, double a, double b) {
@@ -36,8 +34,9 @@ std::string formatted_degrees(const char* format, double a, double b) {
 
 }  // namespace
 
-GyroAid::GyroAid(const std::optional<GyroModel>& known) : model_(known), next_calibration_(kFirstTurns) {
-  was_observed_ = model_ && model_->is_observed();
+GyroAid::GyroAid(const std::optional<GyroModel>& known) : next_calibration_(kFirstTurns) {
+  if (known) filter_.emplace(*known);
+  was_observed_ = is_observed();
 }
 
 void GyroAid::add(const GyroSample& sample) {
@@ -62,8 +61,8 @@ void GyroAid::see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R,
   constexpr double kTurns = rad(3);  // a second
   if (rotation_vector(R).norm() > kTurns * (seen.end - seen.begin) + 3 * std::sqrt(covariance.trace()))
     note_stuck(end);
-  if (model_) follow(seen);
-  if (!model_ || !model_->is_observed()) {
+  if (filter_) follow(seen);
+  if (!is_observed() || checks_change_) {
     turns_.push_back(seen);
     if (turns_.size() >= next_calibration_) calibrate();
   }
@@ -77,9 +76,11 @@ void GyroAid::images_changed() {
   compared_.clear();
   last_.reset();
   next_calibration_ = kFirstTurns;
-  if (!model_) return;
-  model_->covariance.diagonal().head<3>().array() += kOff * kOff;
-  model_->covariance.diagonal().segment<3>(3).array() += kBiasOff * kBiasOff;
+  if (!filter_) return;
+  GyroModel model = filter_->model();
+  model.covariance.diagonal().head<3>().array() += kOff * kOff;
+  model.covariance.diagonal().segment<3>(kGyroBias).array() += kBiasOff * kBiasOff;
+  filter_.emplace(model);
   was_observed_ = false;
 }
 
@@ -113,7 +114,11 @@ void GyroAid::take_fit(const GyroFit& fit) {
     reports_.push_back("gyro: its rates are in degrees a second, and are converted");
     return take_fit(fit_gyro(gyro_, turns_));
   }
-  model_.reset();
+  const bool is_known = checks_change_ && is_observed();
+  if (is_known && fit.kind == Kind::kPerhapsMirrored) return;
+  checks_change_ = false;
+  if (is_known && fit.kind == Kind::kRelated && !filter_->is_broken()) return;  // as it was followed
+  filter_.reset();
   if (fit.kind == Kind::kPerhapsMirrored) return;
   if (fit.kind == Kind::kMirrored)
     return report_once("not used: its axes are mirrored, or two are swapped (left-handed)", &fault_);
@@ -124,11 +129,11 @@ void GyroAid::take_fit(const GyroFit& fit) {
   }
   if (fit.kind == Kind::kUnrelated)
     return report_once("not used: the images turn, and it does not turn with them", &fault_);
-  model_ = fit.model;
+  filter_.emplace(fit.model);
   fault_.clear();
-  if (!model_->is_observed() || was_observed_) return;
+  if (!is_observed() || was_observed_) return;
   was_observed_ = true;
-  reports_.push_back("gyro: observed, " + describe(*model_));
+  reports_.push_back("gyro: observed, " + describe(fit.model));
 }
 
 // Variance of the errors over that of the covariance; 1: it is right, or too large.
@@ -147,25 +152,27 @@ std::pair<double, double> GyroAid::errors2() const {
 }
 
 void GyroAid::follow(const SeenTurn& seen) {
-  const std::optional<CameraTurn> shown = camera_turn(gyro_, *model_, seen.begin, seen.end);
+  const std::optional<CameraTurn> shown = camera_turn(gyro_, filter_->model(), seen.begin, seen.end);
   if (!shown) return;
-  const Eigen::Vector3d beyond = rotation_vector(seen.R * shown->R.conjugate());
-  if (model_->is_observed()) update(seen, *shown, beyond);
-  compare(seen, *shown, beyond);
+  const bool was_broken = filter_->is_broken();
+  if (const auto change = filter_->see(gyro_, seen, factor())) note(describe(*change), change->since_s);
+  const bool is_broken = filter_->is_broken();
+  if (is_broken && !was_broken) note("not used for now: it does not turn as the images do", seen.begin);
+  if (was_broken && !is_broken) check_again();
+  compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));
 }
 
-void GyroAid::update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond) {
-  constexpr double kOutlier = 25;  // five sigmas
-  model_->covariance.diagonal().segment<3>(3).array() += kBiasWalk * kBiasWalk * (seen.end - seen.begin);
-  const GyroJacobian& J = shown.by_unknowns;
-  const Eigen::Matrix3d S =
-      J * model_->covariance * J.transpose() + factor() * (shown.noise + seen.covariance);
-  const Eigen::Matrix3d information = S.inverse();
-  if (!(beyond.dot(information * beyond) < kOutlier)) return;
-  const Eigen::Matrix<double, kGyroUnknowns, 3> K = model_->covariance * J.transpose() * information;
-  model_->move(K * beyond);
-  model_->covariance -= (K * J * model_->covariance).eval();
-  model_->covariance = (0.5 * (model_->covariance + model_->covariance.transpose())).eval();
+void GyroAid::note(const std::string& change, double since_s) {
+  changed_ = change + formatted(" at %.2f s after its first sample", since_s);
+  reports_.push_back("gyro: " + changed_);
+  check_again();
+}
+
+// Whether it still turns with the camera is found as that of a new one, from now on.
+void GyroAid::check_again() {
+  checks_change_ = true;
+  turns_.clear();
+  next_calibration_ = kFirstTurns;
 }
 
 void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond) {
@@ -175,7 +182,7 @@ void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen
   const Eigen::Quaterniond as_before = rotation_of(share * rotation_vector(last_->R));
   const Eigen::Matrix3d S = shown.covariance + seen.covariance;
   compared_.push_back({beyond.squaredNorm(), rotation_vector(seen.R * as_before.conjugate()).squaredNorm(),
-                       beyond.dot(S.inverse() * beyond)});
+                       beyond.dot(S.inverse() * beyond), shown.noise.trace(), seen.covariance.trace()});
   if (compared_.size() > kCompared) compared_.pop_front();
   if (compared_.size() < kCompared / 2) return;
   const auto [gyro2, going_on2] = errors2();
@@ -189,25 +196,28 @@ void GyroAid::refuse(double gyro2, double going_on2) {
                                 "turning as before by %.2f",
                                 std::sqrt(gyro2), std::sqrt(going_on2)),
               &fault_);
-  model_.reset();
-  was_observed_ = false;
+  filter_.reset();
+  was_observed_ = checks_change_ = false;
   turns_.clear();
   compared_.clear();
   next_calibration_ = kFirstTurns;
 }
 
 std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
-  if (!is_used()) return std::nullopt;
-  std::optional<CameraTurn> found = camera_turn(gyro_, *model_, gyro_.seconds(begin), gyro_.seconds(end));
+  if (!is_used() || filter_->was_broken_after(gyro_.seconds(begin))) return std::nullopt;
+  std::optional<CameraTurn> found =
+      camera_turn(gyro_, filter_->model(), gyro_.seconds(begin), gyro_.seconds(end));
   if (found) found->covariance *= factor();
   return found;
 }
 
 std::optional<Eigen::Vector3d> GyroAid::rate_of_points(Timestamp time) const {
-  if (!is_used()) return std::nullopt;
-  const auto rate = gyro_.rate(gyro_.seconds(time) + model_->offset_s, model_->errors);
+  if (!is_used() || filter_->is_broken()) return std::nullopt;
+  const GyroModel& model = filter_->model();
+  const double t = gyro_.seconds(time);
+  const auto rate = gyro_.rate(t + model.offset_at(t), model.errors);
   if (!rate) return std::nullopt;
-  return Eigen::Vector3d(-(model_->R_cam_gyro * *rate));
+  return Eigen::Vector3d(-(model.R_cam_gyro * *rate));
 }
 
 std::vector<std::string> GyroAid::take_reports() { return std::exchange(reports_, {}); }
@@ -216,12 +226,22 @@ std::string GyroAid::statement() const {
   if (!has_samples()) return {};
   if (!stuck_.empty()) return stuck_;
   if (!fault_.empty()) return fault_;
-  if (!model_) return "not observed: the camera has not turned enough";
-  if (!model_->is_observed())
-    return "not observed: the camera has turned about one axis only; " + describe(*model_);
+  if (!filter_) return "not observed: the camera has not turned enough";
+  const std::string changed = changed_.empty() ? "" : "; " + changed_;
+  if (!is_observed())
+    return "not observed: the camera has turned about one axis only; " + describe(filter_->model()) + changed;
+  return "observed, " + describe(filter_->model()) + describe_noise() + changed;
+}
+
+std::string GyroAid::describe_noise() const {
   char noise[80];
   std::snprintf(noise, sizeof noise, ", noise %.4f degrees/s/sqrt(Hz)", deg(gyro_.noise()));
-  return "observed, " + describe(*model_) + noise;
+  std::vector<double> ratios;
+  for (const Compared& c : compared_) ratios.push_back(c.noise2 / c.image2);
+  const bool is_noisy = !ratios.empty() && median(std::move(ratios)) > 1;
+  const std::string spikes =
+      gyro_.spikes() > 0 ? ", " + std::to_string(gyro_.spikes()) + " spikes left out" : "";
+  return noise + std::string(is_noisy ? ", more than that of the images" : "") + spikes;
 }
 
 }  // namespace edgevo

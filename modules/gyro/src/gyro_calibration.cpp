@@ -97,7 +97,7 @@ Eigen::Vector3d beyond(const SeenTurn& seen, const CameraTurn& shown) {
 
 struct Normal {
   GyroCovariance H = GyroCovariance::Zero();
-  Eigen::Matrix<double, kGyroUnknowns, 1> g = Eigen::Matrix<double, kGyroUnknowns, 1>::Zero();
+  GyroChange g = GyroChange::Zero();
   std::vector<double> squares;  // of the residuals, in sigmas
   double together = 1;          // variance of sums of them over that of independent ones
 };
@@ -136,7 +136,7 @@ GyroModel refine_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& t
                       const GyroModel& start) {
   constexpr int kIterations = 6;  // the start is right to a few degrees and a sample
   const GyroCovariance prior = start.covariance.inverse();
-  Eigen::Matrix<double, kGyroUnknowns, 1> moved = Eigen::Matrix<double, kGyroUnknowns, 1>::Zero();
+  GyroChange moved = GyroChange::Zero();
   GyroModel model = start;
   double factor = 1;
   for (int i = 0; i < kIterations; ++i) {
@@ -146,7 +146,7 @@ GyroModel refine_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& t
     // Errors that neighbours share, such as those of rows that are not straight yet, do not average out.
     const double shared = std::max(1.0, n.together / factor);
     const GyroCovariance H = n.H + prior;
-    const Eigen::Matrix<double, kGyroUnknowns, 1> step = H.ldlt().solve(n.g - prior * moved);
+    const GyroChange step = H.ldlt().solve(n.g - prior * moved);
     if (!step.allFinite()) return start;
     model.move(step);
     moved += step;
@@ -177,6 +177,7 @@ GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns)
   GyroModel start = gyro_before_use();
   start.R_cam_gyro = Eigen::Quaterniond(a.R).normalized();
   start.offset_s = a.offset;
+  start.at_s = turns.back().end;
   fit.kind = GyroFit::Kind::kRelated;
   fit.model = refine_gyro(gyro, turns, start);
   return fit;

@@ -13,9 +13,11 @@ namespace {
 // Kept: a keyframe is rarely older than that.
 constexpr double kKeptS = 60;
 // Samples that noise and step are measured from, and after how many new ones that is done again.
-constexpr int kMeasured = 400, kMeasureEvery = 100;
+constexpr int kMeasured = 400, kMeasureEvery = 40;
 // Rates of a gyro at rest, rad/s: its bias, and what it rounds to nothing.
 constexpr double kRest = 0.02;
+// Three samples that are further apart than so many steps lack one.
+constexpr double kStepsApart = 2.5;
 // Median of the square of a normal variable of unit variance.
 constexpr double kMedianSquare = 0.4549;
 
@@ -35,6 +37,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
   if (repeats && !rests(sample.rate)) return false;
+  weigh_newest(t, unit_ * sample.rate);
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {
     const Sample& last = samples_.back();
@@ -45,6 +48,25 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   forget();
   if (++since_measured_ >= kMeasureEvery) measure_noise(), since_measured_ = 0;
   return true;
+}
+
+// By its neighbours, of which `rate` is the next one.
+void GyroIntegrator::weigh_newest(double t, const Eigen::Vector3d& rate) {
+  constexpr double kSigmas = 6;  // motion bends rates by as much as their noise
+  if (samples_.size() < 2 || noise_ == 0) return;
+  const Sample& a = samples_[samples_.size() - 2];
+  Sample& b = samples_.back();
+  if (t - a.t > kStepsApart * step_) return;  // one is missing
+  const double share = (b.t - a.t) / (t - a.t), sample2 = noise_ * noise_ / step_;
+  const double off2 = (b.rate - a.rate - share * (rate - a.rate)).squaredNorm();
+  const double by_noise = kSigmas * kSigmas * 1.5 * sample2, apart2 = (rate - a.rate).squaredNorm();
+  if (off2 > by_noise + apart2) {
+    samples_.pop_back();
+    samples_.back().unsure2 = 0;  // it was compared with the spike
+    ++spikes_;
+  } else if (off2 > by_noise) {
+    b.unsure2 = off2;
+  }
 }
 
 bool GyroIntegrator::rests(const Eigen::Vector3d& rate) const { return unit_ * rate.norm() < kRest; }
@@ -69,7 +91,7 @@ void GyroIntegrator::measure_noise() {
   step_ = median(std::move(steps));
   for (size_t i = first + 2; i < samples_.size(); ++i) {
     const Sample &a = samples_[i - 2], &b = samples_[i - 1], &c = samples_[i];
-    if (c.t - a.t > 2.5 * step_) continue;  // one is missing
+    if (c.t - a.t > kStepsApart * step_) continue;  // one is missing
     const Eigen::Vector3d off = a.rate - 2 * b.rate + c.rate;
     for (int k = 0; k < 3; ++k) squares.push_back(off[k] * off[k] / 6);
   }
@@ -109,7 +131,8 @@ std::optional<GyroRotation> GyroIntegrator::rotation(double begin, double end,
     all.covariance = (E * all.covariance * E.transpose()).eval();
     // A sample that is missing between these leaves its part to its neighbours: their noise counts as often.
     const double missing = step_ > 0 ? std::max(1.0, (next->t - (next - 1)->t) / step_) : 1.0;
-    all.covariance.diagonal().array() += noise_ * noise_ * dt * missing * missing;
+    const double unsure2 = std::max(next->unsure2, (next - 1)->unsure2);
+    all.covariance.diagonal().array() += noise_ * noise_ * dt * missing * missing + unsure2 * dt * dt;
     all.by_bias = (E * all.by_bias).eval();
     all.by_bias.diagonal() += dt * factor;
     all.by_scale = (E * all.by_scale).eval();

@@ -17,6 +17,7 @@ namespace edgevo {
 namespace {
 
 constexpr const char* kDefaultLabel = "CAM0";  // of a source whose camera has no name
+constexpr const char* kGyroLabel = "GYRO";
 
 // The image's own name; with the frame's number if a second folder of the source has an image of the same
 // name.
@@ -33,6 +34,20 @@ mrpt::obs::CObservationImage make_observation(const ImageSource& source, const s
   observation.cameraParams.cameraName = label;
   observation.cameraPose = to_mrpt(source.T_vehicle_cam().value_or(T_vehicle_cam_forward()));
   return observation;
+}
+
+// The other sensors of a source, or its gyro alone: a file next to the images, for example.
+SensorReadings readings_of(const ImageSource& source) {
+  if (SensorReadings sensors = source.sensor_readings()) return sensors;
+  GyroReadings gyro = source.gyro_readings();
+  if (!gyro) return {};
+  return [gyro = std::move(gyro)]() -> std::optional<SensorReading> {
+    const std::optional<GyroSample> sample = gyro();
+    if (!sample) return std::nullopt;
+    ImuReading imu;
+    imu.angular_velocity = sample->rate;
+    return SensorReading{sample->time, kGyroLabel, SE3(), imu};
+  };
 }
 
 // Writes the readings of the other sensors between the images.
@@ -77,7 +92,7 @@ int import_rawlog(ImageSource& source, const std::string& rawlog_path, const Imp
   const std::string label = source.label().empty() ? kDefaultLabel : source.label();
   mrpt::obs::CObservationImage observation = make_observation(source, label);
   RawlogWriter writer(rawlog_path);
-  SensorWriter sensors(source.sensor_readings(), &writer);
+  SensorWriter sensors(readings_of(source), &writer);
   std::set<std::string> used;
   int written = 0;
   while (const auto frame = source.next()) {

@@ -54,7 +54,8 @@ CObservation::Ptr make(const ImuReading& reading, const SensorReading& about) {
   const auto& w = reading.angular_velocity;
   const auto& a = reading.acceleration;
   obs->set(IMU_WX, w.x()), obs->set(IMU_WY, w.y()), obs->set(IMU_WZ, w.z());
-  obs->set(IMU_X_ACC, a.x()), obs->set(IMU_Y_ACC, a.y()), obs->set(IMU_Z_ACC, a.z());
+  // Of a gyro alone there are none.
+  if (!a.isZero()) obs->set(IMU_X_ACC, a.x()), obs->set(IMU_Y_ACC, a.y()), obs->set(IMU_Z_ACC, a.z());
   if (!reading.R_world_imu) return obs;
   const Eigen::Quaterniond& q = *reading.R_world_imu;
   obs->set(IMU_ORI_QUAT_X, q.x()), obs->set(IMU_ORI_QUAT_Y, q.y());

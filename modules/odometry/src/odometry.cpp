@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry.h"
 
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -94,10 +96,15 @@ const FrameRecord& Odometry::Impl::follow(const Frame& frame, const ImageExposur
   if (state.has_map()) change_reference(frame);
   front_end.begin_frame(frame.time);
   const ArrivedFrame arrived = find_edges(frame, state.has_pose(), exposure);
-  if (state.tracks(arrived.record->evidence.edges, front_end.heading().has_value())) follow_map(arrived);
+  if (state.tracks(arrived.record->evidence.edges, heading_sigma())) follow_map(arrived);
   if (!state.has_pose()) track_features(arrived, std::nullopt);
   if (state.bootstraps()) bootstrap_map(arrived);
   return *arrived.record;
+}
+
+double Odometry::Impl::heading_sigma() const {
+  const std::optional<CameraTurn> turn = front_end.heading();
+  return turn ? std::sqrt(turn->covariance.trace() / 3) : std::numeric_limits<double>::infinity();
 }
 
 bool Odometry::Impl::is_mapping_behind() const {
@@ -225,6 +232,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
+  front_end.confirm_turn(found.p_right, corners ? corners->turn() : std::nullopt);
 }
 
 // ---- doubt ----

@@ -35,6 +35,8 @@ struct Odometry::Impl {
   const FrameRecord& follow(const Frame& frame, const ImageExposure& exposure);
   FrameRecord pass_over(const Frame& frame, const std::string& why, ImageFault fault);
   FrameRecord use(const Frame& frame, const ImageExposure& exposure);
+  // Of a gyro, about an axis, radians; infinity: it has not followed the camera.
+  double heading_sigma() const;
   bool is_mapping_behind() const;
   // The motion model bridges the gap, as after lost frames. A frame with the time of the one before has none
   // of its own: the time of the next frame says how long the gap is.

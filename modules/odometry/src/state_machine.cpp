@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "state_machine.h"
 
+#include <algorithm>
+
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/angle.h"
 
 namespace edgevo {
 
@@ -41,10 +44,13 @@ Transition transition(Phase phase, Event event) {
   return {phase, Action::kNone};
 }
 
-bool OdometryState::tracks(int edges, bool heading_is_known) {
+bool OdometryState::tracks(int edges, double heading_sigma) {
+  // Standard deviation of the headings that a search covers: some 40 degrees to both sides.
+  constexpr double kSearched = rad(20);
   if (phase_ != Phase::kLost) return has_map();
-  if (heading_is_known) return shows_edges(edges, params_);
-  return shows_edges(edges, params_) && relocalisation_tries_++ < max_relocalisation_tries_;
+  if (!shows_edges(edges, params_) || relocalisation_tries_ >= max_relocalisation_tries_) return false;
+  relocalisation_tries_ += std::min(1.0, heading_sigma / kSearched);
+  return true;
 }
 
 Action OdometryState::after(Event event, int frame_index) {

@@ -6,6 +6,7 @@
 // A frame raises at most one event by being tracked, one by a look at how much of the map is in view, and one
 // by being bootstrapped. transition() defines the response; OdometryState adds the few numbers that outlive a
 // frame.
+#include <limits>
 #include <optional>
 
 #include "edgevo/core/tracking_state.h"
@@ -85,8 +86,9 @@ class OdometryState {
   int segment() const { return segment_; }
 
   /// Whether a frame with that many edge pixels is tracked. After a loss each such frame uses up one of a
-  /// limited number of tries, unless its `heading_is_known`: it is then looked for where it must be.
-  bool tracks(int edges, bool heading_is_known = false);
+  /// limited number of tries, or less where another sensor knows its heading to `heading_sigma`, radians:
+  /// that share of what a search covers.
+  bool tracks(int edges, double heading_sigma = std::numeric_limits<double>::infinity());
   /// Whether the frame goes to the bootstrap after it was tracked.
   bool bootstraps() const { return phase_ != Phase::kTracking; }
 
@@ -106,8 +108,8 @@ class OdometryState {
   StatusParams params_;
   Phase phase_ = Phase::kBootstrapping;
   int segment_ = -1;
-  int relocalisation_tries_ = 0;  // since the loss
-  int lost_at_ = -1;              // frame
+  double relocalisation_tries_ = 0;  // since the loss
+  int lost_at_ = -1;                 // frame
 };
 
 }  // namespace edgevo

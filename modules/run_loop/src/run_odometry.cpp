@@ -150,6 +150,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
       lenient, odometry, past, gyro, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] {
     result.gyro = odometry.gyro();
+    if (const std::string mismatch = gyro.mismatch(); !mismatch.empty()) result.gyro.statement = mismatch;
     result.cpu_s += cpu_seconds([&] {
       odometry.close();
       result.places = past.finish();

@@ -7,9 +7,11 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/wrapped_source.h"
 #include "edgevo/datasets/camera_file.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/files/output_folder.h"
+#include "edgevo/mrpt_bridge/rawlog_writer.h"
 #include "edgevo/sequence_output/rawlog_output.h"
 #include "edgevo/simulation/correspondence_export.h"
 #include "edgevo/simulation/folder_export.h"
@@ -43,17 +45,37 @@ std::string camera_text_for(const Camera& camera) {
   return camera.plumb_bob() ? std::string() : camera_yaml(camera, "");
 }
 
-// imu.txt next to the images, and the truth about it.
-void write_gyro(const SceneRenderer& renderer, const RenderRequest& options, const FolderExport& range) {
+SimulatedGyro gyro_of(const SceneRenderer& renderer, const RenderRequest& options,
+                      const FolderExport& range) {
   constexpr double kBeyondS = 0.5;  // both ends
   const std::vector<Timestamp>& times = renderer.scene().times;
   const size_t end = range.end < 0 ? times.size() : size_t(range.end);
-  const SimulatedGyro gyro =
-      simulate_gyro(renderer.scene().T_scene_cam_at, times[size_t(range.begin)].seconds() - kBeyondS,
-                    times[end - 1].seconds() + kBeyondS, options.gyro, renderer.scene().seed);
+  return simulate_gyro(renderer.scene().T_scene_cam_at, times[size_t(range.begin)].seconds() - kBeyondS,
+                       times[end - 1].seconds() + kBeyondS, options.gyro, renderer.scene().seed);
+}
+
+// imu.txt next to the images, and the truth about it.
+void write_gyro(const SceneRenderer& renderer, const RenderRequest& options, const FolderExport& range) {
+  const SimulatedGyro gyro = gyro_of(renderer, options, range);
   write_file(options.out + "/imu.txt", imu_text(gyro));
   write_file(options.out + "/gyro_truth.yaml", gyro_truth_text(gyro, options.gyro));
 }
+
+// Rendered images with a simulated gyro.
+class RenderedWithGyro : public WrappedSource {
+ public:
+  RenderedWithGyro(std::unique_ptr<RenderedSource> images, SimulatedGyro gyro)
+      : WrappedSource(std::move(images)), gyro_(std::make_shared<const SimulatedGyro>(std::move(gyro))) {}
+
+  GyroReadings gyro_readings() const override {
+    return [gyro = gyro_, next = size_t(0)]() mutable -> std::optional<GyroSample> {
+      return next < gyro->samples.size() ? std::make_optional(gyro->samples[next++]) : std::nullopt;
+    };
+  }
+
+ private:
+  std::shared_ptr<const SimulatedGyro> gyro_;
+};
 
 void write_rendered_folder(const SceneRenderer& renderer, const RenderRequest& options, FolderExport range,
                            const ShowFramesDone& progress) {
@@ -78,10 +100,16 @@ std::string write_rendered_rawlog(const std::shared_ptr<const SceneRenderer>& re
     throw InputError(options.out, "a rawlog does not hold depth", "name a folder, or omit --depth");
   if (options.edges)
     throw InputError(options.out, "a rawlog does not hold true edges", "name a folder, or omit --edges");
-  RenderedSource source(renderer, range.begin, range.end);
-  const int count = write_rawlog(
-      source, options.out, ground_truth_tum(*renderer, range.begin, range.begin + *source.size()), progress);
-  return describe_rawlog(options.out, count, true, source.camera());
+  std::unique_ptr<ImageSource> source = std::make_unique<RenderedSource>(renderer, range.begin, range.end);
+  const std::string truth = ground_truth_tum(*renderer, range.begin, range.begin + *source->size());
+  if (!options.gyro.empty()) {
+    const SimulatedGyro gyro = gyro_of(*renderer, options, range);
+    write_file(rawlog_stem(options.out) + "_gyro_truth.yaml", gyro_truth_text(gyro, options.gyro));
+    source = std::make_unique<RenderedWithGyro>(
+        std::make_unique<RenderedSource>(renderer, range.begin, range.end), gyro);
+  }
+  const int count = write_rawlog(*source, options.out, truth, progress);
+  return describe_rawlog(options.out, count, true, source->camera());
 }
 
 void write_correspondences(const SceneRenderer& renderer, const std::string& folder, int begin, int end,
@@ -134,8 +162,6 @@ void write_rendered(const RenderRequest& options, const SequenceHost& host) {
   FolderExport range;
   range.begin = options.begin, range.end = options.end;
   if (options.layout != "edgevo") return write_rendered_survey(options, range, host);
-  if (!options.gyro.empty() && names_rawlog(options.out))
-    throw InputError(options.out, "no gyro is written into a rawlog", "name a folder, or omit --gyro");
   if (has_foreign_bodies(options) && names_rawlog(options.out))
     throw InputError(options.out, "masks do not fit into a rawlog", "name a folder");
   if (options.correspondences && names_rawlog(options.out))

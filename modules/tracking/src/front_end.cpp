@@ -81,9 +81,31 @@ void FrontEnd::see_turn(const ArrivedFrame& now, const Track& track) {
   if (is_good && turned_ && motion_.frames_since() <= 1) {
     const Eigen::Quaterniond R = to.R_cur_ref * turned_->R_cur_ref.conjugate();
     const Eigen::Matrix3d M = R.toRotationMatrix();
-    gyro_.see(pose_time_, now.frame.time, R, to.covariance + M * turned_->covariance * M.transpose());
+    seen_turn_ = {pose_time_, now.frame.time, R, to.covariance + M * turned_->covariance * M.transpose()};
   }
   turned_ = is_good ? std::make_optional(to) : std::nullopt;
+}
+
+// By how much the last turns of the image, by its edges, miss what the corners show beyond their noise: an
+// error of each that its neighbours share. The edges of a map that is bent fit, and turn wrongly.
+Eigen::Matrix3d FrontEnd::shared_error(const CornerTurn& corners) const {
+  const size_t n = size_t(corners.frames);
+  if (n == 0 || image_turns_.size() < n) return Eigen::Matrix3d::Zero();
+  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
+  for (size_t i = image_turns_.size() - n; i < image_turns_.size(); ++i) R = image_turns_[i] * R;
+  const Eigen::Vector3d off = rotation_vector(R * corners.R.conjugate());
+  const double square = off.dot(corners.covariance.ldlt().solve(off)), by_noise = 3;  // of three components
+  if (!(square > by_noise)) return Eigen::Matrix3d::Zero();
+  return (1 - by_noise / square) / double(n * n) * off * off.transpose();
+}
+
+void FrontEnd::confirm_turn(double p_right, const std::optional<CornerTurn>& corners) {
+  if (!seen_turn_) return image_turns_.clear();
+  image_turns_.push_back(seen_turn_->R);
+  if (corners && image_turns_.size() > size_t(corners->frames)) image_turns_.pop_front();
+  Eigen::Matrix3d covariance = covariance_factor(p_right) * seen_turn_->covariance;
+  if (corners) covariance += shared_error(*corners);
+  gyro_.see(seen_turn_->begin, seen_turn_->end, seen_turn_->R, covariance);
 }
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure) {
@@ -186,6 +208,7 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 
 void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
   const SE3& T_cur_ref = track.result.T_cur_ref;
+  seen_turn_.reset();
   see_turn(now, track);
   pose_time_ = now.frame.time;
   const bool stands = now.record->evidence.stands;

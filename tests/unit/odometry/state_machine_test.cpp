@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <tuple>
 #include <vector>
+
+#include "edgevo/core/angle.h"
 
 namespace edgevo {
 
@@ -87,6 +90,19 @@ TEST(OdometryState, AfterALossTheOldMapGetsANumberOfTries) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(s.tracks(kManyEdges)) << i;
   EXPECT_FALSE(s.tracks(kManyEdges));
   EXPECT_TRUE(s.bootstraps());
+}
+
+TEST(OdometryState, AKnownHeadingGrantsTriesByHowWellItIsKnown) {
+  const auto tries = [](double sigma) {
+    OdometryState s = tracking();
+    s.after(Event::kUntracked, 20);
+    int count = 0;
+    while (count < 10000 && s.tracks(kManyEdges, sigma)) ++count;
+    return count;
+  };
+  EXPECT_EQ(tries(10), tries(std::numeric_limits<double>::infinity()));
+  EXPECT_NEAR(tries(rad(1)), 60, 1);
+  EXPECT_GT(tries(rad(0.1)), 9 * tries(rad(1)));
 }
 
 TEST(OdometryState, EachLossGrantsNewTries) {

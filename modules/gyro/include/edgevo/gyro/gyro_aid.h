@@ -4,15 +4,16 @@
 // rotations with their covariance, and is not used where it contradicts the images.
 //
 // What it is worth is measured: the rotations that it predicts are compared with those of the images and with
-// a camera that goes on turning as before. Errors beyond its covariance make the covariance larger; a gyro
-// that is worse than to go on turning is not used, and calibrated anew.
+// a camera that goes on turning as before. Errors beyond its covariance make the covariance larger, errors
+// that begin at once open it (GyroFilter); a gyro that is worse than to go on turning is not used, and
+// calibrated anew.
 #include <deque>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "edgevo/gyro/gyro_calibration.h"
+#include "edgevo/gyro/gyro_filter.h"
 
 namespace edgevo {
 
@@ -40,10 +41,10 @@ class GyroAid {
   /// How fast points turn around the camera, rad/s in its axes; nothing as turn().
   std::optional<Eigen::Vector3d> rate_of_points(Timestamp time) const;
 
-  /// The gyro next to the camera; nothing before it is calibrated.
-  const std::optional<GyroModel>& model() const { return model_; }
+  /// The gyro next to the camera; null before it is calibrated.
+  const GyroModel* model() const { return filter_ ? &filter_->model() : nullptr; }
   /// Whether turn() may give something.
-  bool is_used() const { return model_.has_value(); }
+  bool is_used() const { return filter_.has_value(); }
   /// What was found since the last call, one line each.
   std::vector<std::string> take_reports();
   /// What is known at the end, in words: for the summary of a run. Empty without samples.
@@ -54,28 +55,33 @@ class GyroAid {
   struct Compared {
     double by_gyro2, by_going_on2;  // squared errors, rad^2
     double sigmas2;                 // of the gyro's, in its covariance
+    double noise2, image2;          // variances of the noise of the gyro and of the image, rad^2
   };
 
   void note_stuck(Timestamp time);
   void calibrate();
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);
-  void update(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
+  void note(const std::string& change, double since_s);
+  void check_again();
   void compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen::Vector3d& beyond);
   void report_once(const std::string& line, std::string* last);
   void refuse(double gyro2, double going_on2);
+  bool is_observed() const { return filter_ && filter_->model().is_observed(); }
   double factor() const;
   std::pair<double, double> errors2() const;
+  std::string describe_noise() const;
 
   GyroIntegrator gyro_;
-  std::optional<GyroModel> model_;
-  std::vector<SeenTurn> turns_;  // until it is observed
+  std::optional<GyroFilter> filter_;
+  std::vector<SeenTurn> turns_;  // until it is observed, and since a change
   size_t next_calibration_;
   std::deque<Compared> compared_;
   std::optional<SeenTurn> last_;
-  bool was_observed_ = false;
-  std::string stuck_;  // since when it repeats its rates
-  std::string fault_;  // why it is not used; empty: none
+  bool was_observed_ = false, checks_change_ = false;
+  std::string changed_;  // when and how it has changed last
+  std::string stuck_;    // since when it repeats its rates
+  std::string fault_;    // why it is not used; empty: none
   std::vector<std::string> reports_;
 };
 

@@ -40,10 +40,14 @@ struct GyroRotation {
 /// of the first sample.
 class GyroIntegrator {
  public:
-  /// Takes the next sample. One that is not after the one before, is not finite, or turns as the one before
-  /// it to the last bit, as a sensor does that is stuck, is not used; returns whether it was. At rest many
-  /// repeat their rates.
+  /// Takes the next sample; a spike before it is removed, as if it were missing. One that is not after the
+  /// one before, is not finite, or turns as the one before it to the last bit, as a sensor does that is
+  /// stuck, is not used; returns whether it was. At rest many repeat their rates.
   bool add(const GyroSample& sample);
+  /// How many spikes were removed: samples that are off the line between both neighbours by more than noise
+  /// explains, and than these are off one another. Of others that are off so far the rotation is as unsure as
+  /// they are off.
+  int spikes() const { return spikes_; }
   /// Whether these rates, as measured, are those of a gyro at rest.
   bool rests(const Eigen::Vector3d& rate) const;
   /// For how long the rates have been the same, seconds.
@@ -86,12 +90,14 @@ class GyroIntegrator {
     double t;                  // seconds
     Eigen::Vector3d rate;      // as measured
     Eigen::Vector3d integral;  // of the rates up to it, rad
+    double unsure2 = 0;        // variance of its rate beyond that of the noise
   };
   using Iterator = std::deque<Sample>::const_iterator;
 
   // The first sample after `begin`; nothing unless samples without a gap reach over both times.
   std::optional<Iterator> first_within(double begin, double end) const;
   Eigen::Vector3d integral_to(double t) const;
+  void weigh_newest(double t, const Eigen::Vector3d& rate);
   void measure_noise();
   void forget();
 
@@ -99,7 +105,7 @@ class GyroIntegrator {
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
   double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0, repeated_since_ = 0;
-  int since_measured_ = 0;
+  int since_measured_ = 0, spikes_ = 0;
 };
 
 }  // namespace edgevo

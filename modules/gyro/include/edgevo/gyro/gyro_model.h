@@ -9,10 +9,20 @@
 
 namespace edgevo {
 
-/// Unknowns of a GyroModel: rotation (3), bias (3), offset, scales (3).
-constexpr int kGyroUnknowns = 10;
+/// Unknowns of a GyroModel: rotation (3), bias (3), offset, scales (3), drift.
+constexpr int kGyroUnknowns = 11;
+/// Where the bias begins.
+constexpr int kGyroBias = 3;
+/// Where the offset is.
+constexpr int kGyroOffset = 6;
+/// Where the scales begin.
+constexpr int kGyroScale = 7;
+/// Where the drift is.
+constexpr int kGyroDrift = 10;
 /// Clocks of gyro and camera may differ by this, seconds: more is another recording's.
 constexpr double kMostGyroOffsetS = 0.2;
+/// A change of these.
+using GyroChange = Eigen::Matrix<double, kGyroUnknowns, 1>;
 /// Covariance of these.
 using GyroCovariance = Eigen::Matrix<double, kGyroUnknowns, kGyroUnknowns>;
 /// Derivative of a rotation by these.
@@ -22,20 +32,30 @@ using GyroJacobian = Eigen::Matrix<double, 3, kGyroUnknowns>;
 struct GyroModel {
   /// Turns vectors from the axes of the gyro to those of the camera.
   Eigen::Quaterniond R_cam_gyro = Eigen::Quaterniond::Identity();
-  /// Time that the gyro's clock shows less that of the camera's, seconds.
-  double offset_s = 0;
+  /// Time that the gyro's clock shows less that of the camera's, seconds, at `at_s` of GyroIntegrator's
+  /// count.
+  double offset_s = 0, at_s = 0;
+  /// Seconds that it gains a second.
+  double drift = 0;
   /// Bias and errors of the scales.
   GyroErrors errors;
-  /// Covariance of theta in R <- exp(theta) R, bias, offset and scales; of what nothing has shown yet that
-  /// which gyros have (gyro_before_use()).
+  /// Covariance of theta in R <- exp(theta) R, bias, offset, scales and drift; of what nothing has shown yet
+  /// that which gyros have (gyro_before_use()).
   GyroCovariance covariance = GyroCovariance::Identity();
 
   /// Largest standard deviation of the rotation about any axis, radians.
   double rotation_sigma() const;
   /// Whether all three angles of the rotation are known, to kObserved: the camera has turned about two axes.
   bool is_observed() const;
+  /// The offset at a time, seconds.
+  double offset_at(double t) const { return offset_s + drift * (t - at_s); }
   /// Adds a change of the unknowns.
-  void move(const Eigen::Matrix<double, kGyroUnknowns, 1>& by);
+  void move(const GyroChange& by);
+  /// The change of the unknowns that makes this model the other one.
+  GyroChange change_to(const GyroModel& other) const;
+  /// Goes on to a later time: the clock has gained, and the bias may have changed as that of a MEMS gyro
+  /// does.
+  void go_on_to(double t);
 };
 
 /// What is known of a gyro that nobody has measured: nothing of its rotation, and errors as those of phones

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The samples of a source's gyro for whoever feeds an Odometry frame by frame; run_odometry() does.
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "edgevo/core/gyro_sample.h"
@@ -18,14 +20,26 @@ class GyroFeed {
   /// Passes on the samples up to the time of the next frame, and as much after it as clocks may differ.
   void feed_until(Timestamp time, Odometry* odometry) {
     constexpr double kAfterS = kMostGyroOffsetS + 0.1;  // and a sample of a slow one
+    if (!first_frame_) first_frame_ = time;
+    last_frame_ = time;
     for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
   }
 
+  /// What is to be said if its samples are not of the time of the frames; else empty. A foreign clock, or
+  /// that of another recording.
+  std::string mismatch() const;
+
  private:
-  void advance() { next_ = readings_ ? readings_() : std::nullopt; }
+  void advance() {
+    if (next_) newest_ = next_->time;
+    next_ = readings_ ? readings_() : std::nullopt;
+    if (next_ && !first_) first_ = next_->time;
+  }
 
   GyroReadings readings_;
   std::optional<GyroSample> next_;
+  std::optional<Timestamp> first_, newest_;  // of all samples, and of those that were passed on
+  std::optional<Timestamp> first_frame_, last_frame_;
 };
 
 }  // namespace edgevo
