@@ -156,6 +156,11 @@ double MapFigure::f() const {
   return sum > 0 ? 2 * completeness() * rightness() / sum : 0;
 }
 
+bool MapFigures::is_of_another_scene() const {
+  constexpr double kOwnScene = 0.5;  // share of the lines
+  return bands.back().drawn > 0 && bands.back().rightness() < kOwnScene;
+}
+
 MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEvaluationOptions& options) {
   const PlacedLines lines = place_lines(map, scene.scene());
   PyramidBuilder builder(scene.camera(), EdgeParams());

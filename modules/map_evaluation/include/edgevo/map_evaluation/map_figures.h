@@ -61,6 +61,9 @@ struct MapFigures {
   std::vector<MapFigure> kinds;
   /// Depth up to which kinds are counted, metres.
   double near_m = 0;
+
+  /// Whether less than half of the lines lie at edges: those of the poorest map of its own scene do.
+  bool is_of_another_scene() const;
 };
 
 /// Compares the lines of `map`, which has the frame indices of the scene, with the scene. Throws InputError
