@@ -53,6 +53,8 @@ FrameEvidence evidence_of(const CsvTable& row) {
   if (const double moved = row.number("adjusted_move"); count_of(row, "adjusted_points")) {
     e.adjustment.emplace();
     e.adjustment->moved = moved;
+    const double sigma = row.number("adjusted_unit_sigma", true);
+    e.adjustment->unit_variance = std::isfinite(sigma) ? sigma * sigma : 0;
   }
   return e;
 }

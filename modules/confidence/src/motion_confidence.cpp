@@ -63,16 +63,36 @@ Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {
   return {ReasonKind::kAdjustment};
 }
 
+Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e) {
+  if (p_right(trust.doubts) < kDoubtfulBelow) return reason_of(largest_contribution(trust.doubts), e);
+  if (trust.p_wrong_unit > trust.p_wrong_focal_length) return {ReasonKind::kUnitCarried, trust.unit_sigma};
+  return {ReasonKind::kFocalLength, e.focal_error};
+}
+
 }  // namespace
 
-double p_right(const Inconsistencies& doubts, double p_wrong_focal_length) {
-  return (1 - p_wrong_focal_length) / (1 + std::exp(log_odds_of_wrong(doubts)));
+double p_right(const Inconsistencies& doubts, double p_wrong_otherwise) {
+  return (1 - p_wrong_otherwise) / (1 + std::exp(log_odds_of_wrong(doubts)));
+}
+
+void MotionConfidence::add_adjustment(const AdjustmentEvidence& adjustment) {
+  moved_.add(adjustment.moved);
+  new_variance_ += adjustment.unit_variance;
+}
+
+double MotionConfidence::carried_unit_sigma() {
+  unit_variances_.add(std::exchange(new_variance_, 0));
+  return std::sqrt(unit_variances_.mean() * double(unit_variances_.size()));
 }
 
 FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const FrameEvidence& e = frame.evidence;
   const MotionHistory::Newest& motion = frame.motion;
-  if (std::exchange(segment_, frame.segment) != frame.segment) moved_.clear();
+  if (std::exchange(segment_, frame.segment) != frame.segment) {
+    moved_.clear();
+    unit_variances_.clear();
+    new_variance_ = 0;
+  }
   decades_.add(decades_of(e.pose_sigmas.back()));
   if (e.residual_px > 0) residuals_.add(e.residual_px);
 
@@ -93,11 +113,11 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   set(ConsistencyTest::kAdjustment, std::log(moved_.mean()));
   trust.p_wrong_focal_length =
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
-  trust.p_right = edgevo::p_right(trust.doubts, trust.p_wrong_focal_length);
-  if (trust.p_right < kDoubtfulBelow)
-    trust.reasons = {edgevo::p_right(trust.doubts) < kDoubtfulBelow
-                         ? reason_of(largest_contribution(trust.doubts), e)
-                         : Reason{ReasonKind::kFocalLength, e.focal_error}};
+  trust.unit_sigma = carried_unit_sigma();
+  trust.p_wrong_unit = probability_beyond(0, trust.unit_sigma, kMotionTolerance.share_of_length);
+  trust.p_right =
+      edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) * (1 - trust.p_wrong_unit));
+  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, e)};
   // No camera makes such a step, whatever else is as usual.
   if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
       times > params_.step.times) {

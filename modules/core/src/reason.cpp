@@ -82,13 +82,15 @@ const char* pattern_of(ReasonKind kind) {
       return "edges hardly determine the motion (%.1f %% of the depth, or of a radian)";
     case ReasonKind::kAdjustment:
       return "keyframes were tracked worse than expected";
+    case ReasonKind::kUnitCarried:
+      return "a turn with hardly a translation, in which a unit of length is carried on to %.0f %% only";
   }
   return "";
 }
 
 bool is_share(ReasonKind kind) {
   return kind == ReasonKind::kFewAgree || kind == ReasonKind::kFocalLength ||
-         kind == ReasonKind::kLittleInformation;
+         kind == ReasonKind::kLittleInformation || kind == ReasonKind::kUnitCarried;
 }
 
 }  // namespace

@@ -89,6 +89,8 @@ void Epochs::begin_epoch(const EpochBegan& began) {
   Epoch epoch;
   epoch.place = {began.segment, after->place.epoch + 1, began.first, after->place.T_world_map, kLostScale};
   epoch.last_before = std::min(began.last_before, began.first);
+  epoch.unit_sigma = began.unit_sigma;
+  epoch.is_doubted = began.is_doubted;
   epochs_.insert(after.base(), std::move(epoch));
 }
 
@@ -184,8 +186,8 @@ class Epochs::Solver {
 
   Constraint continuity_of_unit(size_t i) const {
     Constraint c = join(i, Sim3());
-    c.covariance = covariance_of_scale(kKeptScale);
-    c.failure = {kLostProbability, covariance_of_scale(kLostScale)};
+    c.covariance = covariance_of_scale(std::hypot(kKeptScale, epochs_[i].unit_sigma));
+    if (epochs_[i].is_doubted) c.failure = {kLostProbability, covariance_of_scale(kLostScale)};
     return c;
   }
   Constraint join_of_segment(size_t i) const {
@@ -354,7 +356,8 @@ class Epochs::Solver {
     double unseen = 0, announced = 0;  // variances
     for (size_t i = 1; i < epochs_.size(); ++i) {
       double& sigma = placed->epochs[i].scale_sigma;
-      if (is_bridge(i)) unseen += kLostProbability * squared(kLostScale);
+      if (is_bridge(i) && epochs_[i].is_doubted) unseen += kLostProbability * squared(kLostScale);
+      if (constraints_.empty()) announced += squared(epochs_[i].unit_sigma);
       if (constraints_.empty() && !continues(i)) announced += squared(epochs_[i].place.scale_sigma);
       sigma = std::sqrt((constraints_.empty() ? announced : squared(sigma)) + unseen);
     }

@@ -131,7 +131,8 @@ void FrameLog::begin_segment(const SegmentPlaced& placed) {
   run();
 }
 
-void FrameLog::begin_epoch(const EpochBegan& began) {
+void FrameLog::begin_epoch(EpochBegan began, int frame, int later_frame) {
+  run().describe_doubt(frame, later_frame, &began);
   log_->append(began);
   run();
 }

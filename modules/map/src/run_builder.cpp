@@ -33,6 +33,9 @@ std::string in_words(SegmentPlaced::Method method) {
 }
 
 double doubt_of(const FrameRecord& frame) { return std::isfinite(frame.p_right) ? 1 - frame.p_right : 1; }
+double unit_variance_of(const FrameMapped& mapped) {
+  return mapped.adjustment ? mapped.adjustment->unit_variance : 0;
+}
 
 void move_points(const KeyframeMove& move, std::vector<EdgePoint>* points) {
   const float ratio = float(move.scale_ratio);
@@ -167,11 +170,23 @@ void RunBuilder::forget_places_before(int frame_index) {
 
 // ---- epochs ----
 
+void RunBuilder::describe_doubt(int frame, int later_frame, EpochBegan* began) const {
+  double variance = 0;
+  began->is_doubted = false;
+  for (auto next = position_.upper_bound(frame); next != position_.end() && next->first <= later_frame;
+       ++next) {
+    const Row& between = row(next->second);
+    variance += unit_variance_of(between.mapping);
+    began->is_doubted |= !between.anchor || is_doubtful(between.frame);
+  }
+  began->unit_sigma = std::sqrt(variance);
+}
+
 double RunBuilder::doubt_between(int frame, int later_frame) const {
   double doubt = 0;
   for (auto next = position_.upper_bound(frame); next != position_.end() && next->first <= later_frame;
        ++next)
-    doubt += doubt_of(row(next->second).frame);
+    doubt += doubt_of(row(next->second).frame) + unit_variance_of(row(next->second).mapping);
   return doubt;
 }
 
@@ -189,7 +204,8 @@ std::function<PlacedEpochs()> RunBuilder::keyframes_to_place() const {
   std::map<int, double> doubts;  // by frame, the sum up to it
   if (path_.epochs.count() > 1)
     for (const auto& [frame, number] : position_)
-      doubts[frame] = (doubts.empty() ? 0 : doubts.rbegin()->second) + doubt_of(row(number).frame);
+      doubts[frame] = (doubts.empty() ? 0 : doubts.rbegin()->second) + doubt_of(row(number).frame) +
+                      unit_variance_of(row(number).mapping);
   return [path, doubts = std::move(doubts)] {
     const auto up_to = [&](int frame) {
       const auto after = doubts.upper_bound(frame);

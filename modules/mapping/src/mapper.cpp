@@ -24,6 +24,7 @@ AdjustmentEvidence evidence_of(const WindowStats& stats) {
   evidence.matches = stats.observations;
   evidence.points = stats.points;
   evidence.matches_in_newest = stats.matched_in_newest;
+  evidence.unit_variance = stats.unit_variance;
   return evidence;
 }
 

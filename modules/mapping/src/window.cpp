@@ -59,6 +59,8 @@ AssociationQuery Window::query(const Keyframe& host, const MapPoint& point, cons
 int Window::associate_newest(const Matrix6d& pose_covariance) {
   int matches = 0;
   const Keyframe& target = newest();
+  position_variance_ = pose_covariance.topLeftCorner<3, 3>().trace() / 3;
+  new_points_ = 0, shared_variances_ = 0;
   for (Keyframe& host : keyframes()) {
     if (host.id == target.id) continue;
     const View view{&target, relative_pose(target, host)};
@@ -76,7 +78,12 @@ int Window::associate_newest(const Matrix6d& pose_covariance) {
       ++matches;
     }
   }
-  return matches;
+  return older_points_ = matches;
+}
+
+double Window::carried_unit_variance() const {
+  const int in_view = older_points_ + new_points_;
+  return in_view > 0 ? shared_variances_ / in_view : 0;
 }
 
 void Window::fix_bootstrap_scale() {

@@ -171,6 +171,7 @@ WindowStats Window::adjust() {
     take_result(result, adjustment);
   }
   const BaProblem& problem = adjustment.problem;
+  stats.unit_variance = carried_unit_variance();
   stats.observations = int(problem.observations.size());
   stats.points = int(problem.points.size());
   stats.cost_per_observation = result.final_cost / std::max(1, stats.observations);

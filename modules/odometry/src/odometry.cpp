@@ -219,6 +219,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
       confidence.add({record->evidence, state.segment(), history.newest(),
                       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
   record->p_right = found.p_right;
+  unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
 }
@@ -227,7 +228,8 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
 
 void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
-  const IntegrityMonitor::Integrity found = integrity.add(now.frame.index, view, is_doubtful(*now.record));
+  const IntegrityMonitor::Integrity found =
+      integrity.add(now.frame.index, view, is_doubtful(*now.record) || unit_sigma > kUnitKnown);
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {
@@ -249,7 +251,8 @@ void Odometry::Impl::keep_links(const ScaleAnswer& answer) {
   bool is_new = answer.begins_epoch();
   if (is_new)
     frames.begin_epoch(
-        {answer.now.segment, answer.last_before->reference->keyframe_id, answer.now.reference->keyframe_id});
+        {answer.now.segment, answer.last_before->reference->keyframe_id, answer.now.reference->keyframe_id},
+        answer.last_before->frame_index, answer.frame_index);
   for (const ComparedScale& c : answer.compared) {
     if (!c.found.linked) continue;
     const auto& [before, link] = *c.found.linked;

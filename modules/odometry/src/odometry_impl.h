@@ -108,6 +108,7 @@ struct Odometry::Impl {
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;
+  double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
   IntegrityMonitor integrity;
   ScaleComparisons scales;
   FrontEnd front_end;

@@ -141,7 +141,7 @@ void visit_times(Visit& v, Times& times) {
 template <class Visit, class Adjustment>
 void visit_adjustment(Visit& v, Adjustment& a) {
   v.plain(a.moved), v.plain(a.cost_per_match), v.plain(a.matches), v.plain(a.points);
-  v.plain(a.matches_in_newest);
+  v.plain(a.matches_in_newest), v.plain(a.unit_variance);
 }
 
 template <class Visit, class Corners>
@@ -239,6 +239,7 @@ void visit(Visit& v, typename Visit::template Value<SegmentPlaced>& e) {
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<EpochBegan>& e) {
   v.plain(e.segment), v.plain(e.last_before), v.plain(e.first);
+  v.plain(e.unit_sigma), v.plain(e.is_doubted);
 }
 
 template <class Visit>

@@ -44,13 +44,14 @@ void append_count(std::string* text, const std::optional<int>& count) {
 
 void append_adjustment(std::string* text, const std::optional<AdjustmentEvidence>& adjustment) {
   if (!adjustment) {
-    *text += ",,,,,";
+    *text += ",,,,,,";
     return;
   }
   append_number(text, adjustment->moved, 4);
   append_number(text, adjustment->cost_per_match, 4);
   for (const int count : {adjustment->matches, adjustment->points, adjustment->matches_in_newest})
     append_count(text, count);
+  append_number(text, std::sqrt(adjustment->unit_variance), 4);
 }
 
 void append_corners(std::string* text, const CornerEvidence& c) {
@@ -176,7 +177,8 @@ std::string frames_csv(const Run& run) {
       "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
       "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
       "saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,"
-      "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
+      "adjusted_here,adjusted_unit_sigma,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_"
+      "change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
       "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"

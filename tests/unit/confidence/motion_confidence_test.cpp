@@ -71,6 +71,28 @@ Inconsistencies usual() {
   return doubts;
 }
 
+// By the error of the unit that keyframes have carried, smoothly; and for as long as a unit is compared over.
+TEST(MotionConfidence, AUnitThatIsCarriedBadlyIsDoubted) {
+  double before = 1;
+  for (const double sigma : {0.0, 0.05, 0.1, 0.2, 0.4, 0.8}) {
+    Drive drive;
+    drive.go(good_evidence(), kStep, 80);
+    AdjustmentEvidence adjustment;
+    adjustment.moved = 1, adjustment.unit_variance = sigma * sigma;
+    drive.trust.add_adjustment(adjustment);
+    const FrameConfidence found = drive.go(good_evidence());
+    EXPECT_NEAR(found.unit_sigma, sigma, 1e-9);
+    EXPECT_LE(found.p_right, before);
+    EXPECT_LT(before - found.p_right, 0.5);
+    before = found.p_right;
+    if (sigma > 0.7) {
+      EXPECT_THAT(to_string(found.reasons), HasSubstr("carried on to 80 %"));
+      EXPECT_GT(drive.go(good_evidence(), kStep, 50).p_right, 0.9);
+    }
+  }
+  EXPECT_LT(before, kDoubtfulBelow);
+}
+
 TEST(PRight, NeverRisesWithADoubt) {
   for (size_t k = 0; k < kConsistencyTests; ++k) {
     Inconsistencies doubts = usual();

@@ -71,6 +71,19 @@ TEST(Epochs, WithoutAnythingFoundAllStaysWhereItIs) {
   EXPECT_GT(placed.epochs[1].scale_sigma, 0.5) << "the unit may have changed unseen";
 }
 
+// A turn that carried the unit to a tenth, in which nothing else was doubtful: so much is known of it.
+TEST(Epochs, ATurnKeepsTheUnitToWhatItWasCarriedTo) {
+  Epochs epochs;
+  epochs.begin_segment({}, {});
+  epochs.begin_epoch({0, kLost, kFound, 0.1, false});
+  const DoubtfulDrive drive(1.2);
+  EXPECT_NEAR(epochs.solve(drive.run()).epochs[1].scale_sigma, 0.1, 0.001);
+  epochs.add(drive.link(0, kLost - 2, kFound + 1, 1, 0.1));
+  const EpochPlace halfway = epochs.solve(drive.run()).epochs[1];
+  EXPECT_NEAR(std::log(halfway.T_world_map.scale), 0.5 * std::log(1.2), 0.01);
+  EXPECT_NEAR(halfway.scale_sigma, 0.1 / std::sqrt(2), 0.005);
+}
+
 // Every keyframe is where it was in truth, those in the doubt, too.
 TEST(Epochs, AChangeOfUnitHasACourse) {
   for (const double collapse : {0.5, 2.0, 5.0, 20.0}) {

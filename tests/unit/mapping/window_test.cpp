@@ -38,6 +38,26 @@ TEST(Window, ActivatesPointsThatKeyframesMatch) {
     }
 }
 
+// New points between keyframes 0.1 apart, say, share the error of that length; points of before do not.
+TEST(Window, NewPointsCarryTheUnitByTheBaselineTheyAreSeenOver) {
+  const auto carried = [](double position_sigma) {
+    OwnWindow window = true_window(4, 0.02);
+    window.associate_newest(position_sigma * position_sigma * Matrix6d::Identity());
+    window.activate({2, 2});
+    return window.carried_unit_variance();
+  };
+  EXPECT_EQ(carried(0), 0);
+  const double some = carried(1e-3);
+  EXPECT_GT(some, 0);
+  EXPECT_NEAR(carried(2e-3) / some, 4, 1e-6);
+  EXPECT_NEAR(carried(1e3), 1, 0.01) << "nothing is known";
+
+  OwnWindow window = true_window(4, 0.02);
+  window.activate({2, 2});
+  window.associate_newest(Matrix6d::Identity());
+  EXPECT_EQ(window.carried_unit_variance(), 0) << "all points are of before";
+}
+
 TEST(Window, ActivationIsSpreadOverTheNewestImage) {
   const WindowParams params = seven_keyframes();
   OwnWindow window = true_window(4, 0.0, params);

@@ -29,7 +29,8 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
       "index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,"
       "visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,"
       "saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,"
-      "adjusted_here,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_change_10,"
+      "adjusted_here,adjusted_unit_sigma,corners,corners_agreeing,corner_scale,corner_scale_sigma,corner_"
+      "change_10,"
       "corner_change_10_sigma,corner_change_50,corner_change_50_sigma,corner_motion,corner_motion_sigma,"
       "corner_motion_depths,corner_rotation_deg,corner_rotation_sigma,corner_direction_deg,"
       "corner_direction_sigma,focal_error,focal_error_sigma,unit_linked,unit_ratio,unit_sigma,p_right,"
@@ -37,16 +38,16 @@ TEST_F(RunText, FramesCsvHasARowForEveryFrameAndTimesLast) {
   EXPECT_EQ(
       rows[2],
       "1,1670000000.1000000,BOOTSTRAPPING,0,0,0.8000,0.5000,1001,,,,399,398,0.000600,,400,0.2000,0.6000,"
-      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,4.100,2.000,");
+      "0.0100,0.900,5.000000,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,4.100,2.000,");
   EXPECT_EQ(rows[21],
             "20,1670000002.0000000,LOST,-1,0,0.0000,0.0000,1020,lost: 3 of 400 points aligned; 120 "
-            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,6.000,2.000,");
-  EXPECT_EQ(
-      rows[46 - 3],
-      "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
-      "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,,,,,,,,,,,,,,,,,,,,,,0,0,1,8.200,"
-      "2.000,20.000");
-  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 53u) << row;
+            "needed,,,,,,,,,,0.0100,0.900,,,,,,,,,,,,,,,,,,,,,,,,,,,,,0,0,0,6.000,2.000,");
+  EXPECT_EQ(rows[46 - 3],
+            "42,1670000004.2000000,TRACKING,1,1,0.8000,0.5000,1042,,view leaves,,358,316,0.000600,0.500,"
+            "400,0.2000,0.6000,0.0100,0.900,5.000000,1.2500,0.7000,2000,700,400,0.0000,,,,,,,,,,,,,,,,,,,,,,"
+            "0,0,1,8.200,"
+            "2.000,20.000");
+  for (const std::string& row : rows) EXPECT_EQ(cells_of(row).size(), 54u) << row;
 }
 
 TEST_F(RunText, FramesCsvHoldsWhatCornersSay) {

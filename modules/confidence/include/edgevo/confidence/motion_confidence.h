@@ -68,6 +68,9 @@ struct FrameConfidence {
   Inconsistencies doubts{};
   /// Probability that a wrong focal length, which no other test sees, has bent the turn.
   double p_wrong_focal_length = 0;
+  /// Standard deviation of the logarithm of the unit of length that the map has carried over the last fifty
+  /// frames, and the probability that it is off by more than the tolerance of a length.
+  double unit_sigma = 0, p_wrong_unit = 0;
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
   /// Whether the step is longer than StepGateParams::times the median of the 50 before, in the unit of the
@@ -86,20 +89,26 @@ class MotionConfidence {
   FrameConfidence add(const ConfidenceInput& frame);
   /// Adds what the adjustment of a keyframe showed; it counts from the next frame on. Adjustments come in the
   /// order of their keyframes.
-  void add_adjustment(const AdjustmentEvidence& adjustment) { moved_.add(adjustment.moved); }
+  void add_adjustment(const AdjustmentEvidence& adjustment);
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
   static constexpr size_t kFrames = size_t(kMotionTolerance.frames);
   /// What the map is to blame for stays longer.
   static constexpr size_t kMapFrames = 20;
+  double carried_unit_sigma();
+
   ConfidenceParams params_;
   int segment_ = -1;
   RecentValues decades_{kFrames}, residuals_{kMapFrames};
   RecentValues moved_{3};
+  // By how much the unit has grown less certain, by frame: variances of its logarithm.
+  RecentValues unit_variances_{MotionHistory::kUsualSteps};
+  double new_variance_ = 0;  // since the newest frame
 };
 
-/// Probability of a right motion given the results of the tests, 0 to 1.
-double p_right(const Inconsistencies& doubts, double p_wrong_focal_length = 0);
+/// Probability of a right motion given the results of the tests, and that of a cause that none of them sees,
+/// 0 to 1.
+double p_right(const Inconsistencies& doubts, double p_wrong_otherwise = 0);
 
 }  // namespace edgevo

@@ -23,6 +23,9 @@ struct AdjustmentEvidence {
   int points = 0;
   /// Number of these matches that are in the new keyframe.
   int matches_in_newest = 0;
+  /// Variance by which the logarithm of the unit of length has grown less certain with this keyframe
+  /// (mapping/window.h); 0: not at all.
+  double unit_variance = 0;
 };
 
 /// What corners that are followed through the images say about the poses. They move by themselves: rotation,

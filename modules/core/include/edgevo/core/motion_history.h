@@ -82,11 +82,10 @@ class MotionHistory {
   /// two of the 50 before. NaN unless ten are known of the last 1000 frames; infinite or NaN after steps of
   /// 0. Cost: a look-up for each frame back to the fiftieth.
   double reported_ratio(int frame_index, const SE3& T_world_cam) const;
-
- private:
-  // Steps of which the median is usual.
+  /// Steps of which the median is usual.
   static constexpr size_t kUsualSteps = 50;
 
+ private:
   void add_measured(const SE3& T_cur_last, int frames, bool held);
   void add_in_map(const SE3& T_map_cam, bool stands);
 

@@ -81,9 +81,12 @@ enum class ReasonKind : uint8_t {
   kLittleInformation,
   /// Keyframes were tracked worse than expected.
   kAdjustment,
+  /// Standard deviation of the unit of length that the map has carried over the last fifty frames, as a
+  /// share.
+  kUnitCarried,
 };
 /// The last kind.
-inline constexpr ReasonKind kLastReasonKind = ReasonKind::kAdjustment;
+inline constexpr ReasonKind kLastReasonKind = ReasonKind::kUnitCarried;
 
 /// A reason; a number that its kind does not have is NaN.
 struct Reason {

@@ -9,7 +9,8 @@
 // at once (map_graph.h), each time that something is found.
 //
 // Continuity has two modes: a doubt was groundless and the unit is what it was, to a per cent; or it was not,
-// and nothing is known. Features decide, by what they are worth.
+// and nothing is known. Features decide, by what they are worth. A turn in which no frame is doubtful, but in
+// which the map has carried the unit badly, has one mode: to what it was carried.
 //
 // Between two epochs lies the doubt. Its keyframes belong to neither: their unit goes over from one to the
 // other in proportion to the doubt in the frames (1 - p_right), the mean of a random walk whose variance is
@@ -96,8 +97,10 @@ class Epochs {
 
  private:
   struct Epoch {
-    EpochPlace place;      // as it was announced, or that of the epoch before it
-    int last_before = -1;  // keyframe before the doubt that it begins after; -1: it begins a segment
+    EpochPlace place;         // as it was announced, or that of the epoch before it
+    int last_before = -1;     // keyframe before the doubt that it begins after; -1: it begins a segment
+    double unit_sigma = 0;    // EpochBegan::unit_sigma
+    bool is_doubted = false;  // EpochBegan::is_doubted
     // Of a segment after the first: from its map to that of the segment before.
     std::optional<Sim3> T_previous;
     // Of T_previous: radians, unit of the segment before, logarithm of the scale.

@@ -66,8 +66,8 @@ class FrameLog {
   void constrain_scale(int segment, const RelativeScale& unit);
   /// Announces a segment, and where its map lies in the frame of live poses.
   void begin_segment(const SegmentPlaced& placed);
-  /// Announces an epoch.
-  void begin_epoch(const EpochBegan& began);
+  /// Announces an epoch after a doubt in the frames after `frame` up to `later_frame`, which it begins with.
+  void begin_epoch(EpochBegan began, int frame, int later_frame);
   /// Announces a constraint between keyframes.
   void add_constraint(const Constraint& constraint);
   /// Announces where the epochs lie, if something was found about the past since the last time, by whomever,

@@ -61,6 +61,11 @@ struct EpochBegan {
   int segment = 0;
   /// Last keyframe before the doubt that is sure, and first one after it. Those between belong to neither.
   int last_before = 0, first = 0;
+  /// Standard deviation of the logarithm of the unit by which the map has carried it from the one to the
+  /// other (AdjustmentEvidence::unit_variance).
+  double unit_sigma = 0;
+  /// Whether a frame between them is doubtful, or has no pose: else this deviation is all that is wrong.
+  bool is_doubted = true;
 };
 
 /// A relation was found between keyframes, of whatever epochs.

@@ -82,6 +82,8 @@ class RunBuilder {
   /// What is to be announced of it: live poses to come have the unit that was found for the map of `segment`,
   /// and the camera at `newest_position` in that map stays where it is.
   EpochsPlaced follow_epochs(PlacedEpochs placed, int segment, const Eigen::Vector3d& newest_position) const;
+  /// Fills what an epoch says of the frames after `frame` up to `later_frame`, which it begins with.
+  void describe_doubt(int frame, int later_frame, EpochBegan* began) const;
   /// Number of frames so far, forgotten ones included.
   size_t frames() const { return forgotten_ + rows_.size(); }
 

@@ -33,6 +33,9 @@ struct WindowStats {
   int photometric = 0;
   /// Robust cost per match, in sigmas squared.
   double cost_per_observation = 0;
+  /// Variance of the logarithm of the unit of length that the points activated with the newest keyframe add:
+  /// carried_unit_variance().
+  double unit_variance = 0;
 };
 
 /// Conditions for immature points to become active.
@@ -85,6 +88,13 @@ class Window {
   int points_wanted() const;
   /// Number of points of known depth that the newest keyframe lacks for tracking.
   int points_lacking() const;
+
+  /// How much less certain the newest keyframe has made the unit of length: variance of its logarithm, 0
+  /// to 1. A new point has its depth by what the camera moved between the views of it; the error of that
+  /// length is shared by all of them, sigma / baseline, and is in the mean depth by their share of the points
+  /// in view. The points of one view share it wholly: a view that is new by thirds, and one that is at once,
+  /// are alike. What is each point's own is averaged out by the others.
+  double carried_unit_variance() const;
 
   /// Adjusts poses and depths, updates matches that moved, adjusts again, and drops what does not fit.
   WindowStats adjust();
@@ -146,6 +156,7 @@ class Window {
                       std::vector<Candidate>* candidates) const;
   bool is_certain(const Candidate& candidate) const;
   MapPoint match_candidate(const Candidate& candidate, const std::vector<Sight>& sights) const;
+  void add_shared_variance(const std::vector<Sight>& sights);
   bool try_activate(const ActivationPolicy& policy, const Candidate& candidate);
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
   /// The window as a problem, with indices to transfer its result back.
@@ -184,6 +195,11 @@ class Window {
   std::unique_ptr<BundleAdjuster> adjuster_;
   std::optional<BaPrior> prior_;
   bool bootstrap_gauge_ = false;  // prior_ is that of fix_bootstrap_scale
+  // Of the newest keyframe: variance of its tracked position along an axis, its matches with older points,
+  // its new points, and the sum over these of the variance of log depth that they share.
+  double position_variance_ = 0;
+  int older_points_ = 0, new_points_ = 0;
+  double shared_variances_ = 0;
 };
 
 }  // namespace edgevo

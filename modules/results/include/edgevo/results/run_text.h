@@ -36,10 +36,10 @@ std::string trajectory_kitti(const Run& run);
 ///   index,time,state,segment,keyframe,inlier_share,residual_px,edges,note,keyframe_rule,latency_ms,
 ///   visible_points,matched_points,pose_sigma,step_sigmas,known_points,lacking_share,view_share,
 ///   saturated_share,edge_blur,median_depth,adjusted_move,adjusted_cost,adjusted_matches,adjusted_points,
-///   adjusted_here,p_right,ms_<stage>...
+///   adjusted_here,adjusted_unit_sigma,p_right,ms_<stage>...
 /// time is in seconds; segment -1: none; keyframe 0 or 1; keyframe_rule: the reason for a keyframe, or empty
 /// (with keyframe 0: mapping was busy with another; "return": tracking went back to an older keyframe).
-/// visible_points to adjusted_here are the evidence (core/frame_evidence.h), pose_sigma the largest of
+/// visible_points to adjusted_unit_sigma are the evidence (core/frame_evidence.h), pose_sigma the largest of
 /// pose_sigmas; unknown values are empty. So are stages that did not run in a frame, and the latency of a
 /// synchronous run. The latency and the stages depend on the clock (`cut -d, -f1-10,12-25` drops them);
 /// stages come in the order in which they first ran. Commas and quotes in a note are replaced, so that every

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// How well a pure rotation carries the unit of length over. Where the view has turned by half of itself,
-// the depths are those of points that were born since, by what the camera moved meanwhile: if that was little
-// against the depths, an error that all of them share is their error of scale. It adds up from half view to
-// half view.
+// How well turns carry the unit of length over: in a pure rotation new points have their depths by what the
+// camera moved meanwhile, and if that was little against the error of its position, an error that all of them
+// share is their error of scale. Each keyframe says by how much (AdjustmentEvidence::unit_variance); it adds
+// up.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace edgevo {
 struct PureRotation {
   /// Indices in the source of the first and the last frame.
   int first_frame = 0, last_frame = 0;
-  /// Angle by which the view turned, radians, from half view to half view.
+  /// Angle by which the view turned, radians, from keyframe to keyframe.
   double angle_rad = 0;
   /// Standard deviation of the logarithm of the unit after it over that before.
   double sigma = 0;
