@@ -283,17 +283,20 @@ void EdgeFusion::append_pixels_between(const Vertex& a, const Vertex& b, std::ve
 
 EdgeLine EdgeFusion::make_line(const std::vector<const Vertex*>& run) {
   std::vector<EdgeVertex> found;
-  std::vector<int> keyframes;
-  size_t outline = 0;
+  std::vector<int> keyframes, views;
+  size_t outline = 0, on_plane = 0;
   EdgeLine line;
   for (size_t i = 0; i < run.size(); ++i) {
     found.push_back(run[i]->vertex);
     keyframes.push_back(run[i]->seen);
-    outline += run[i]->is_outline;
+    views.push_back(run[i]->views);
+    outline += run[i]->is_outline, on_plane += run[i]->is_on_plane;
     if (i > 0) append_pixels_between(*run[i - 1], *run[i], &line.vertices);
     line.vertices.push_back(run[i]->vertex);
   }
   line.keyframes = median(std::move(keyframes));
+  line.views = median(std::move(views));
+  line.source = 2 * on_plane > run.size() ? DepthSource::kPlane : DepthSource::kViews;
   line.is_straight = is_straight(found);
   line.is_outline = 2 * outline > run.size();
   return line;

@@ -27,6 +27,12 @@ std::string json_kind(const MapFigure& m) {
                        (long long)m.edges, m.completeness());
 }
 
+// Edges have no source.
+std::string json_source(const MapFigure& m) {
+  return formatted_row("{\"name\": \"%s\", \"lines\": %lld, \"right\": %.4f}", m.name.c_str(),
+                       (long long)m.drawn, m.rightness());
+}
+
 template <class F>
 std::string json_list(const std::vector<MapFigure>& figures, const F& to_json) {
   std::string text;
@@ -44,6 +50,10 @@ std::string to_table(const MapFigures& figures) {
     if (m.edges > 0 || m.drawn > 0)
       text += formatted_row("%-20s %10lld %9.3f %10lld %7.3f %6.3f\n", m.name.c_str(), (long long)m.edges,
                             m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+  for (const MapFigure& m : figures.sources)
+    if (m.drawn > 0)
+      text += formatted_row("%-20s %10s %9s %10lld %7.3f\n", ("by " + m.name).c_str(), "", "",
+                            (long long)m.drawn, m.rightness());
   text += std::isfinite(figures.near_m) ? formatted_row("\nwithin %g m:\n", figures.near_m) : "\n";
   for (const MapFigure& m : figures.kinds)
     text += formatted_row("%-20s %10lld %9.3f\n", m.name.c_str(), (long long)m.edges, m.completeness());
@@ -55,7 +65,7 @@ std::string to_json(const MapFigures& figures) {
   return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g, \"near_m\": %s,\n  \"bands\": ",
                        figures.frames, figures.metres_per_unit, near.c_str()) +
          json_list(figures.bands, json_band) + ",\n  \"kinds\": " + json_list(figures.kinds, json_kind) +
-         "\n}\n";
+         ",\n  \"sources\": " + json_list(figures.sources, json_source) + "\n}\n";
 }
 
 }  // namespace edgevo

@@ -59,6 +59,9 @@ struct MapFigures {
   /// Within the band `near_m`: by kind of edge (outline, crease, texture), and by its direction in the image
   /// against the motion. Lines have no kind: what is drawn and right stays 0.
   std::vector<MapFigure> kinds;
+  /// At all distances, the lines by what their depth is from (DepthSource, in its order). Edges have no
+  /// source.
+  std::vector<MapFigure> sources;
   /// Depth up to which kinds are counted, metres.
   double near_m = 0;
 
