@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -155,7 +156,8 @@ void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, 
       ->check(number_between(0, 1e6));
   cmd->add_option("--truth-sigma-deg", args->truth_sigma_deg, "the same of the true orientations, degrees")
       ->check(number_between(0, 180));
-  cmd->add_option("--seed", args->map.seed, "for edges.ply: seed of the scene (default: that of the scene)");
+  cmd->add_option("--seed", args->map.seed, "for edges.ply: seed of the scene (default: that of the scene)")
+      ->check(whole_number(0, std::numeric_limits<uint64_t>::max()));
   cmd->add_option(
       "--picture", args->map.picture,
       "for edges.ply: PNG of one frame; edges in the map green, missing ones red, lines at no edge blue");

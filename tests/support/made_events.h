@@ -132,7 +132,7 @@ class MadeEvents {
     append(KeyframeMarginalised{id, std::make_shared<const KeyframeRecord>(keyframe), {neighbour}}, events);
     EdgeLine line;
     line.vertices = {{{1, 2}, 0.5f, 0.1f, 3, 4}, {{5, 6}, 0.7f, 0.2f, 7, 8}};
-    line.keyframes = id;
+    line.keyframes = id, line.views = 3, line.source = DepthSource::kPlane;
     line.is_outline = true;
     append(LinesFinished{id, {line}}, events);
     marginalised_.emplace_back(id, keyframe);

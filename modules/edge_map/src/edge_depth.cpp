@@ -29,11 +29,12 @@ class DepthSearch {
  public:
   DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
               const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params,
-              std::vector<TracedPixel>* trace)
+              std::optional<EdgePlane>* plane, std::vector<TracedPixel>* trace)
       : level_(host.finest()),
         sides_(sides),
         max_idepth_(max_idepth),
         params_(params),
+        plane_(plane),
         trace_(trace),
         set_(pinhole, views) {
     if (trace_) trace_->assign(level_.edges.pixels.size(), {});
@@ -200,10 +201,10 @@ class DepthSearch {
     const WeighNode weigh_node = [this](const FinalNode& s, double idepth) {
       look_from(s.node.edge_pixel);
       const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
-      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
-                          h.views >= kMinSupport * h.in_view};
+      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_};
     };
-    edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, &chains_);
+    edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, plane_,
+                         &chains_);
   }
 
   void collect(const FinalChain& chain) {
@@ -240,6 +241,7 @@ class DepthSearch {
   const std::vector<EdgeSides>& sides_;
   const double max_idepth_;
   const EdgeMapParams& params_;
+  std::optional<EdgePlane>* plane_;
   std::vector<TracedPixel>* trace_;  // may be null
   ViewSet set_;
   EdgeSight sight_;  // of the current pixel
@@ -252,8 +254,10 @@ class DepthSearch {
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
-                                        const EdgeMapParams& params, std::vector<TracedPixel>* trace) {
-  return DepthSearch(pinhole, host, sides, views, max_idepth, params, trace).run();
+                                        const EdgeMapParams& params, std::optional<EdgePlane>* plane,
+                                        std::vector<TracedPixel>* trace) {
+  std::optional<EdgePlane> none;
+  return DepthSearch(pinhole, host, sides, views, max_idepth, params, plane ? plane : &none, trace).run();
 }
 
 }  // namespace edgevo

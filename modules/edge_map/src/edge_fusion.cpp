@@ -92,8 +92,10 @@ struct EdgeFusion::Explained {
 };
 
 void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
+  if (plane_) plane_ = plane_->seen_from(pinhole_, T_plane_world_ * host.T_cam_world.inverse());
+  T_plane_world_ = host.T_cam_world, plane_host_ = host.id;
   const std::vector<EdgePiece> pieces =
-      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_,
+      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &plane_,
                        trace_ ? &(*trace_)[host.id] : nullptr);
   Explained explained;
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
@@ -144,7 +146,8 @@ bool EdgeFusion::is_novel(const EdgeNode& node, Explained* explained) const {
   explained->seen.push_back(by);
   // z' = h_z / rho + e_z, and z' is off by the ratio of the two depths.
   const double z = (known.h_z / double(by->vertex.idepth) + known.e_z) * known.idepth / node.idepth;
-  if (z > known.e_z) {
+  // The plane's depth is that of its other edges: nothing new.
+  if (z > known.e_z && !node.is_on_plane) {
     const double weight = weight_of(node.idepth, node.idepth_sigma);
     by->new_weight += weight;
     by->new_sum += weight * known.h_z / (z - known.e_z);
@@ -280,17 +283,20 @@ void EdgeFusion::append_pixels_between(const Vertex& a, const Vertex& b, std::ve
 
 EdgeLine EdgeFusion::make_line(const std::vector<const Vertex*>& run) {
   std::vector<EdgeVertex> found;
-  std::vector<int> keyframes;
-  size_t outline = 0;
+  std::vector<int> keyframes, views;
+  size_t outline = 0, on_plane = 0;
   EdgeLine line;
   for (size_t i = 0; i < run.size(); ++i) {
     found.push_back(run[i]->vertex);
     keyframes.push_back(run[i]->seen);
-    outline += run[i]->is_outline;
+    views.push_back(run[i]->views);
+    outline += run[i]->is_outline, on_plane += run[i]->is_on_plane;
     if (i > 0) append_pixels_between(*run[i - 1], *run[i], &line.vertices);
     line.vertices.push_back(run[i]->vertex);
   }
   line.keyframes = median(std::move(keyframes));
+  line.views = median(std::move(views));
+  line.source = 2 * on_plane > run.size() ? DepthSource::kPlane : DepthSource::kViews;
   line.is_straight = is_straight(found);
   line.is_outline = 2 * outline > run.size();
   return line;
@@ -314,8 +320,17 @@ void EdgeFusion::finalise_line(int host, const Line& line, std::vector<EdgeLine>
   flush();
 }
 
+// With another lens, the plane is found anew.
+void EdgeFusion::move_plane(const MapMoved& moved) {
+  const KeyframeMove* m = moved.find(plane_host_);
+  if (!plane_ || !m || moved.lens) return plane_.reset();
+  plane_ = plane_->scaled(m->scale_ratio);
+  T_plane_world_ = moved.T_cam_map(*m);
+}
+
 // Lines that are final have left as events: whoever holds them moves them.
 void EdgeFusion::apply(const MapMoved& moved) {
+  move_plane(moved);
   for (OpenHost& host : open_) {
     const KeyframeMove* m = moved.find(host.id);
     if (!m) continue;
@@ -332,6 +347,7 @@ void EdgeFusion::apply(const MapMoved& moved) {
 void EdgeFusion::close() {
   for (const OpenHost& host : open_) finalise(host);
   open_.clear();
+  plane_.reset();
 }
 
 }  // namespace edgevo

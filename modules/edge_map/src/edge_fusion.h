@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "edge_planes.h"
 #include "edgevo/edge_map/edge_depth.h"
 #include "edgevo/edge_map/edge_mapper.h"
 
@@ -72,6 +73,7 @@ class EdgeFusion {
                      std::vector<Line>* lines) const;
   bool is_novel(const EdgeNode& node, Explained* explained) const;
   void count(Explained* explained) const;
+  void move_plane(const MapMoved& moved);
   static void merge_new_depths(Vertex* v);
   Vertex make_vertex(const EdgeHost& host, const EdgeNode& node, const Explained& explained) const;
   void add_pixels_between(const EdgeHost& host, Line* line) const;
@@ -87,7 +89,10 @@ class EdgeFusion {
   EdgeMapParams params_;
   std::shared_ptr<MapLog> log_;
   EdgeTrace* trace_;
-  std::deque<OpenHost> open_;  // ascending id
+  std::deque<OpenHost> open_;       // ascending id
+  std::optional<EdgePlane> plane_;  // of the last host, in its image
+  int plane_host_ = -1;
+  SE3 T_plane_world_;  // pose of that host
 };
 
 }  // namespace edgevo

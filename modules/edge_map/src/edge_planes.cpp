@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "edgevo/core/random.h"
 
@@ -15,6 +16,9 @@ constexpr size_t kAtLeast = 40;  // samples: fewer lie on one by chance, of some
 constexpr double kPlaneSigmas = 3;
 constexpr double kRelief = 0.005;  // share of the inverse depth that a sample may be off the plane at first
 constexpr int kRefinements = 3;
+// Radius of the bends of what passes as a plane, in distances from the camera: over twenty distances, such a
+// road leaves its tangent by 4 %.
+constexpr double kBend = 5000;
 constexpr int kAreaPx = 32;        // side of the cells by which the area of a plane is counted
 constexpr int kAreaColumns = 256;  // of these cells: more than any image has
 
@@ -52,10 +56,10 @@ double covered_area(const std::vector<Candidate>& samples, const Eigen::Vector3d
   return std::accumulate(cells->begin(), cells->end(), 0.0);
 }
 
-// The best of many planes through three samples.
-Eigen::Vector3d largest_plane(const std::vector<Candidate>& samples, Random* random) {
-  Eigen::Vector3d best = Eigen::Vector3d::Zero();
-  double most = 0;
+// The best of many planes through three samples, if it covers more than `most`.
+std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& samples, double most,
+                                             Random* random) {
+  std::optional<Eigen::Vector3d> best;
   std::vector<double> cells;
   for (int t = 0; t < kTries; ++t) {
     Eigen::Matrix3d M;
@@ -77,7 +81,7 @@ Eigen::Vector3d largest_plane(const std::vector<Candidate>& samples, Random* ran
 
 double PlaneSample::sigma() const { return std::hypot(noise, common); }
 
-EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) : size_(int(samples.size())) {
+EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) {
   if (samples.size() < kAtLeast) return;
   for (const PlaneSample& s : samples) centre_ += s.px / double(samples.size());
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
@@ -92,28 +96,87 @@ EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) : size_(int(sample
   if (solver.info() != Eigen::Success ||
       !(solver.vectorD().minCoeff() > kRounding * solver.vectorD().maxCoeff()))
     return;
-  plane_ = solver.solve(b), bias_ = solver.solve(shared);
-  covariance_ = solver.solve(Eigen::Matrix3d::Identity());
+  plane_ = solver.solve(b);
+  const Eigen::Vector3d bias = solver.solve(shared);
+  covariance_ = solver.solve(Eigen::Matrix3d::Identity()) + bias * bias.transpose();
+  measure_relief(samples);
+  is_valid_ = true;
+}
+
+// What the samples are off the plane beyond their own errors.
+void EdgePlane::measure_relief(const std::vector<PlaneSample>& samples) {
   double squares = 0, weights = 0;
   for (const PlaneSample& s : samples) {
     const double off = s.idepth - plane_.dot(homogeneous(s.px - centre_)), w = 1 / (s.sigma() * s.sigma());
     squares += w * (off * off - s.sigma() * s.sigma()), weights += w * s.idepth * s.idepth;
   }
   relief_ = std::sqrt(std::max(0.0, squares / weights));
-  is_valid_ = true;
 }
 
 PlaneDepth EdgePlane::at(const Eigen::Vector2d& px) const {
   const Eigen::Vector3d x = homogeneous(px - centre_);
   const double idepth = plane_.dot(x);
-  return {idepth,
-          std::sqrt(x.dot(covariance_ * x) + std::pow(bias_.dot(x), 2) + std::pow(relief_ * idepth, 2))};
+  return {idepth, std::sqrt(x.dot(covariance_ * x) + std::pow(relief_ * idepth, 2))};
+}
+
+EdgePlane EdgePlane::about(const Eigen::Vector2d& centre) const {
+  Eigen::Matrix3d M = Eigen::Matrix3d::Identity();  // from pixels about the new centre
+  M.topRightCorner<2, 1>() = centre - centre_;
+  EdgePlane same = *this;
+  same.centre_ = centre, same.plane_ = M.transpose() * plane_;
+  same.covariance_ = M.transpose() * covariance_ * M;
+  return same;
+}
+
+EdgePlane EdgePlane::seen_from(const Pinhole& c, const SE3& T_before_now) const {
+  EdgePlane now = about({c.cx, c.cy});
+  const Eigen::DiagonalMatrix<double, 3> K(c.fx, c.fy, 1);
+  // Its points X have q.X = 1: q is the normal over the distance.
+  const Eigen::Vector3d q = K * now.plane_, t = T_before_now.translation();
+  const Eigen::Matrix3d back = T_before_now.R().transpose();
+  const double nearer = 1 - q.dot(t), distance = 1 / q.norm();
+  const Eigen::Vector3d q_now = back * q / nearer, normal = q_now.normalized();
+  const Eigen::Matrix3d J = back * (Eigen::Matrix3d::Identity() + q * t.transpose() / nearer) / nearer;
+  const double turn = t.norm() / (kBend * distance), sink = turn * t.norm() / (2 * distance);
+  const Eigen::Matrix3d along = normal * normal.transpose(),
+                        bend = turn * turn * (Eigen::Matrix3d::Identity() - along) + sink * sink * along;
+  const Eigen::Matrix3d Q = J * (K * now.covariance_ * K) * J.transpose() + q_now.squaredNorm() * bend;
+  now.plane_ = K.inverse() * q_now, now.covariance_ = K.inverse() * Q * K.inverse();
+  now.is_valid_ = is_valid_ && nearer > 0;
+  return now;
+}
+
+Eigen::Vector3d EdgePlane::coefficients() const { return about(Eigen::Vector2d::Zero()).plane_; }
+
+EdgePlane EdgePlane::scaled(double ratio) const {
+  EdgePlane same = *this;
+  same.plane_ /= ratio, same.covariance_ /= ratio * ratio;
+  return same;
+}
+
+EdgePlane EdgePlane::corrected(const std::vector<PlaneSample>& samples) const {
+  EdgePlane now = *this;
+  for (int i = 0; i < kRefinements && now.is_valid_; ++i) {
+    std::vector<PlaneSample> on;
+    for (const PlaneSample& s : samples)
+      if (now.holds(s)) on.push_back(s);
+    now = EdgePlane(on);
+    if (!now.is_valid_) break;
+    const EdgePlane before = about(now.centre_);
+    const Eigen::Matrix3d gain = before.covariance_ * (before.covariance_ + now.covariance_).inverse();
+    now.plane_ = before.plane_ + gain * (now.plane_ - before.plane_);
+    now.covariance_ = before.covariance_ - gain * before.covariance_;
+    now.measure_relief(on);
+  }
+  return now;
 }
 
 bool EdgePlane::holds(const PlaneSample& sample) const {
-  const PlaneDepth here = at(sample.px);
-  return here.idepth > 0 &&
-         std::abs(sample.idepth - here.idepth) < kPlaneSigmas * std::hypot(sample.sigma(), here.sigma);
+  const Eigen::Vector3d x = homogeneous(sample.px - centre_);
+  const double idepth = plane_.dot(x);
+  const double variance =
+      x.dot(covariance_ * x) + std::pow(kRelief * idepth, 2) + sample.sigma() * sample.sigma();
+  return idepth > 0 && std::abs(sample.idepth - idepth) < kPlaneSigmas * std::sqrt(variance);
 }
 
 EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples) {
@@ -126,14 +189,23 @@ EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples) {
   return plane;
 }
 
-EdgePlane find_plane(const std::vector<PlaneSample>& samples) {
+EdgePlane find_plane(const std::vector<PlaneSample>& samples, const std::optional<EdgePlane>& predicted,
+                     bool* is_predicted) {
   if (samples.size() < kAtLeast) return EdgePlane({});
   Random random(1);
   const std::vector<Candidate> candidates(samples.begin(), samples.end());
-  const Eigen::Vector3d largest = largest_plane(candidates, &random);
+  double most = 0;
+  if (predicted)
+    if (const EdgePlane now = predicted->corrected(samples); now.is_valid()) {
+      std::vector<double> cells;
+      most = covered_area(candidates, now.coefficients(), &cells);
+    }
+  const std::optional<Eigen::Vector3d> larger = largest_plane(candidates, most, &random);
+  if (is_predicted) *is_predicted = !larger && most > 0;
+  if (!larger) return most > 0 ? *predicted : EdgePlane({});
   std::vector<PlaneSample> near;
   for (size_t i = 0; i < samples.size(); ++i)
-    if (candidates[i].off(largest) < kPlaneSigmas) near.push_back(samples[i]);
+    if (candidates[i].off(*larger) < kPlaneSigmas) near.push_back(samples[i]);
   return refined(EdgePlane(near), samples);
 }
 

@@ -6,7 +6,11 @@
 // runs along the motion, or was seen by too few views to be found, has the depth of the plane that it lies
 // on.
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
+
+#include "edgevo/core/camera.h"
+#include "edgevo/core/se3.h"
 
 namespace edgevo {
 
@@ -26,26 +30,36 @@ struct PlaneDepth {
   double idepth = 0, sigma = 0;
 };
 
-/// A plane: inverse depth (a, b, c) (x, y, 1) at pixel (x, y).
+/// A plane: inverse depth (a, b, c) (x, y, 1) at pixel (x, y), with its covariance.
 class EdgePlane {
  public:
   /// Least squares over the samples. A plane of too few, or of samples on a line, is not valid.
   explicit EdgePlane(const std::vector<PlaneSample>& samples);
 
   bool is_valid() const { return is_valid_; }
-  /// Samples that it was fitted to.
-  int size() const { return size_; }
   /// At a pixel: errors of their own average out, the shared one is carried along, with the samples' relief
   /// over the plane.
   PlaneDepth at(const Eigen::Vector2d& px) const;
   /// Whether a sample lies on it, within three standard deviations of both.
   bool holds(const PlaneSample& sample) const;
 
+  /// The same plane in the image of a camera that has moved on, less certain by as much as a road bends.
+  EdgePlane seen_from(const Pinhole& pinhole, const SE3& T_before_now) const;
+  /// The same in a longer unit of length, or a shorter one: `ratio` is new length over old.
+  EdgePlane scaled(double ratio) const;
+  /// Corrected by those of the samples that lie on it; not valid if these are too few.
+  EdgePlane corrected(const std::vector<PlaneSample>& samples) const;
+
+  /// (a, b, c).
+  Eigen::Vector3d coefficients() const;
+
  private:
+  EdgePlane about(const Eigen::Vector2d& centre) const;
+  void measure_relief(const std::vector<PlaneSample>& samples);
+
   bool is_valid_ = false;
-  int size_ = 0;
   Eigen::Vector2d centre_ = Eigen::Vector2d::Zero();
-  Eigen::Vector3d plane_ = Eigen::Vector3d::Zero(), bias_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d plane_ = Eigen::Vector3d::Zero();  // about the centre
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
   double relief_ = 0;  // share of the inverse depth
 };
@@ -53,8 +67,10 @@ class EdgePlane {
 /// The plane again, from those of the samples that lie on it.
 EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples);
 
-/// The plane that most samples lie on; not valid if few do. The same samples give the same plane. Cost: 1 ms
-/// for 2000 samples.
-EdgePlane find_plane(const std::vector<PlaneSample>& samples);
+/// The plane that most samples lie on; not valid if few do. That of the keyframe before, as predicted, is
+/// tried first: `is_predicted`, unless null, says that no other covers more, and that it is returned,
+/// uncorrected. The same samples give the same plane. Cost: 1 ms for 2000 samples.
+EdgePlane find_plane(const std::vector<PlaneSample>& samples,
+                     const std::optional<EdgePlane>& predicted = std::nullopt, bool* is_predicted = nullptr);
 
 }  // namespace edgevo

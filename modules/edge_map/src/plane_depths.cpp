@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plane_depths.h"
 
+#include <algorithm>
 #include <cmath>
-
-#include "edge_planes.h"
 
 namespace edgevo {
 namespace {
 
 // Share of the inverse depth: less certain nodes say little of a plane, and nothing of which one it is.
 constexpr double kSampleShare = 0.03;
-constexpr int kMinPlaneViews = 2;  // with a guess to a few percent, two views do not agree by chance
-constexpr double kNodeSigmas = 3;  // between a node's own depth and the plane's
+constexpr double kNodeSigmas = 3;                              // between a node's own depth and the plane's
 constexpr int kCellPx = 16, kAroundCells = 3, kSideCells = 6;  // 50 pixels around a node, 100 next to it
 constexpr int kMostTimes = 2;                                  // on the plane, for each edge off it
 constexpr int kOnEachSide = 2;                                 // edges on the plane
@@ -87,21 +85,28 @@ void break_at_jumps(FinalChain* chain) {
 
 class PlaneLayer {
  public:
-  PlaneLayer(const ImageEdges& edges, const PlaneLimits& limits, std::vector<FinalChain>* chains)
-      : edges_(edges), limits_(limits), chains_(*chains), area_(edges.width, edges.height) {}
+  // A predicted plane is evidence, one that was found in these samples is a guess.
+  PlaneLayer(const ImageEdges& edges, const PlaneLimits& limits, const EdgePlane& plane, bool is_predicted,
+             std::vector<FinalChain>* chains)
+      : edges_(edges),
+        limits_(limits),
+        chains_(*chains),
+        plane_(plane),
+        is_predicted_(is_predicted),
+        area_(edges.width, edges.height) {}
 
-  void lay(const WeighNode& weigh_node) {
-    plane_ = find_plane(known_samples());
-    if (!plane_.is_valid()) return;
+  // Returns the plane as it is now.
+  EdgePlane lay(const WeighNode& weigh_node) {
     mark_known();
     find_candidates(weigh_node);
-    if (!plane_.is_valid()) return;
+    if (!plane_.is_valid()) return plane_;
     area_ = PlaneArea(edges_.width, edges_.height);
     mark_known();
     for (const Candidate& c : candidates_)
       if (is_useful(c.sample) && plane_.holds(c.sample)) area_.add(c.sample.px, true);
     for (const Candidate& c : candidates_) decide(c);
     for (FinalChain& chain : chains_) break_at_jumps(&chain);
+    return plane_;
   }
 
  private:
@@ -112,16 +117,6 @@ class PlaneLayer {
   };
 
   const EdgePixel& pixel_of(const FinalNode& s) const { return edges_.pixels[size_t(s.node.edge_pixel)]; }
-
-  std::vector<PlaneSample> known_samples() const {
-    std::vector<PlaneSample> samples;
-    for (const FinalChain& chain : chains_)
-      for (const FinalNode& s : chain)
-        if (s.node.idepth > 0 && s.certain != Certain::kAtCorner)
-          if (const PlaneSample sample = sample_of(pixel_of(s), s); is_useful(sample))
-            samples.push_back(sample);
-    return samples;
-  }
 
   // Looks at the plane for edges without a certain depth, and refines the plane with what it finds.
   void find_candidates(const WeighNode& weigh_node) {
@@ -136,11 +131,11 @@ class PlaneLayer {
         const double idepth = plane_.at(px).idepth;
         if (!(idepth > 0) || idepth > limits_.max_idepth || area_.is_mostly_off(px)) continue;
         const NodeEvidence evidence = weigh_node(s, idepth);
-        if (!evidence.is_supported || evidence.hypothesis.views < kMinPlaneViews) continue;
+        if (evidence.hypothesis.views == 0) continue;
         candidates_.push_back({&s, sample_of(px, evidence), evidence.hypothesis});
         if (is_useful(candidates_.back().sample)) samples.push_back(candidates_.back().sample);
       }
-    plane_ = refined(plane_, samples);
+    plane_ = is_predicted_ ? plane_.corrected(samples) : refined(plane_, samples);
   }
 
   void mark_known() {
@@ -169,16 +164,34 @@ class PlaneLayer {
   const ImageEdges& edges_;
   const PlaneLimits& limits_;
   std::vector<FinalChain>& chains_;
-  EdgePlane plane_{{}};
+  EdgePlane plane_;
+  const bool is_predicted_;
   PlaneArea area_;
   std::vector<Candidate> candidates_;
 };
 
+// Nodes whose depth says which plane it is.
+std::vector<PlaneSample> known_samples(const ImageEdges& edges, const std::vector<FinalChain>& chains) {
+  std::vector<PlaneSample> samples;
+  for (const FinalChain& chain : chains)
+    for (const FinalNode& s : chain)
+      if (s.node.idepth > 0 && s.certain != Certain::kAtCorner)
+        if (const PlaneSample sample = sample_of(edges.pixels[size_t(s.node.edge_pixel)], s);
+            is_useful(sample))
+          samples.push_back(sample);
+  return samples;
+}
+
 }  // namespace
 
 void lay_on_plane(const ImageEdges& edges, const PlaneLimits& limits, const WeighNode& weigh_node,
-                  std::vector<FinalChain>* chains) {
-  PlaneLayer(edges, limits, chains).lay(weigh_node);
+                  std::optional<EdgePlane>* plane, std::vector<FinalChain>* chains) {
+  bool is_predicted = false;
+  const EdgePlane found = find_plane(known_samples(edges, *chains), *plane, &is_predicted);
+  plane->reset();
+  if (!found.is_valid()) return;
+  const EdgePlane now = PlaneLayer(edges, limits, found, is_predicted, chains).lay(weigh_node);
+  if (now.is_valid()) *plane = now;
 }
 
 }  // namespace edgevo

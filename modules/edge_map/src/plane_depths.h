@@ -3,9 +3,12 @@
 // Depth for nodes of chains from the largest plane of the view (edge_planes.h): of edges along the motion,
 // which views do not constrain, and of those that too few views show to find them without a guess.
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "chain_gaps.h"
 #include "depth_evidence.h"
+#include "edge_planes.h"
 
 namespace edgevo {
 
@@ -14,8 +17,6 @@ struct NodeEvidence {
   Hypothesis hypothesis;
   /// Standard deviation of the error that all views share.
   double common = 0;
-  /// Whether enough of the views that contain the point show an edge there.
-  bool is_supported = false;
 };
 using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
 
@@ -25,10 +26,12 @@ struct PlaneLimits {
   double max_relative_sigma = 0;
 };
 
-/// Finds the plane, refines it with the evidence of the nodes on it, and gives those that have no certain
-/// depth the one that it has there. Around such a node most edges must lie on the plane. If views cannot show
-/// that it lies there, since it runs along the motion, edges on both its sides must.
+/// Finds the plane, or corrects that of the keyframe before, as predicted, if no other covers more; refines
+/// it with the evidence of the nodes on it, and gives those that have no certain depth, but an edge there in
+/// any view, the one that it has there. Returns it in `plane`; none if there is none. Around such a node most
+/// edges must lie on the plane. If views cannot show that it lies there, since it runs along the motion,
+/// edges on both its sides must.
 void lay_on_plane(const ImageEdges& edges, const PlaneLimits& limits, const WeighNode& weigh_node,
-                  std::vector<FinalChain>* chains);
+                  std::optional<EdgePlane>* plane, std::vector<FinalChain>* chains);
 
 }  // namespace edgevo

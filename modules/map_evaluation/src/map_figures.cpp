@@ -88,13 +88,13 @@ class Samples {
       if (v.depth < nearest_[v.piece]) nearest_[v.piece] = v.depth, is_right_there_[v.piece] = v.is_right;
     }
   }
-  // Calls `f` with depth and judgement. What a frame sees from too far to resolve is right if the nearest one
-  // finds the edge; what is hidden counts only if it always is.
+  // Calls `f` with piece, depth and judgement. What a frame sees from too far to resolve is right if the
+  // nearest one finds the edge; what is hidden counts only if it always is.
   template <class F>
   void each(const F& f) const {
     for (const Sample& v : all_)
       if (!v.is_hidden || !std::isfinite(nearest_[v.piece]))
-        f(double(v.depth), !v.is_hidden && (v.is_right || is_right_there_[v.piece]));
+        f(v.piece, double(v.depth), !v.is_hidden && (v.is_right || is_right_there_[v.piece]));
   }
 
  private:
@@ -156,6 +156,11 @@ double MapFigure::f() const {
   return sum > 0 ? 2 * completeness() * rightness() / sum : 0;
 }
 
+bool MapFigures::is_of_another_scene() const {
+  constexpr double kOwnScene = 0.5;  // share of the lines
+  return bands.back().drawn > 0 && bands.back().rightness() < kOwnScene;
+}
+
 MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEvaluationOptions& options) {
   const PlacedLines lines = place_lines(map, scene.scene());
   PyramidBuilder builder(scene.camera(), EdgeParams());
@@ -175,8 +180,13 @@ MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEva
     }
     samples.add(c);
   }
-  samples.each([&](double depth, bool is_right) {
-    bands.at(depth, [&](MapFigure* m) { ++m->drawn, m->right += is_right; });
+  result.sources.resize(2);
+  for (const DepthSource s : {DepthSource::kViews, DepthSource::kPlane})
+    result.sources[size_t(s)].name = to_string(s);
+  samples.each([&](size_t piece, double depth, bool is_right) {
+    const auto add = [&](MapFigure* m) { ++m->drawn, m->right += is_right; };
+    bands.at(depth, add);
+    add(&result.sources[size_t(lines.pieces[piece].source)]);
   });
   result.bands = bands.figures;
   result.near_m = near_limit(bands);

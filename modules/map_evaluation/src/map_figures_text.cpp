@@ -14,16 +14,29 @@ std::string formatted_row(const char* format, Values... values) {
   return buffer;
 }
 
-std::string json_figure(const MapFigure& m) {
+std::string json_band(const MapFigure& m) {
   return formatted_row(
       "{\"name\": \"%s\", \"edges\": %lld, \"complete\": %.4f, \"lines\": %lld, \"right\": %.4f, \"f\": "
       "%.4f}",
       m.name.c_str(), (long long)m.edges, m.completeness(), (long long)m.drawn, m.rightness(), m.f());
 }
 
-std::string json_list(const std::vector<MapFigure>& figures) {
+// Lines have no kind.
+std::string json_kind(const MapFigure& m) {
+  return formatted_row("{\"name\": \"%s\", \"edges\": %lld, \"complete\": %.4f}", m.name.c_str(),
+                       (long long)m.edges, m.completeness());
+}
+
+// Edges have no source.
+std::string json_source(const MapFigure& m) {
+  return formatted_row("{\"name\": \"%s\", \"lines\": %lld, \"right\": %.4f}", m.name.c_str(),
+                       (long long)m.drawn, m.rightness());
+}
+
+template <class F>
+std::string json_list(const std::vector<MapFigure>& figures, const F& to_json) {
   std::string text;
-  for (const MapFigure& m : figures) text += (text.empty() ? "\n    " : ",\n    ") + json_figure(m);
+  for (const MapFigure& m : figures) text += (text.empty() ? "\n    " : ",\n    ") + to_json(m);
   return "[" + text + "\n  ]";
 }
 
@@ -37,6 +50,10 @@ std::string to_table(const MapFigures& figures) {
     if (m.edges > 0 || m.drawn > 0)
       text += formatted_row("%-20s %10lld %9.3f %10lld %7.3f %6.3f\n", m.name.c_str(), (long long)m.edges,
                             m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+  for (const MapFigure& m : figures.sources)
+    if (m.drawn > 0)
+      text += formatted_row("%-20s %10s %9s %10lld %7.3f\n", ("by " + m.name).c_str(), "", "",
+                            (long long)m.drawn, m.rightness());
   text += std::isfinite(figures.near_m) ? formatted_row("\nwithin %g m:\n", figures.near_m) : "\n";
   for (const MapFigure& m : figures.kinds)
     text += formatted_row("%-20s %10lld %9.3f\n", m.name.c_str(), (long long)m.edges, m.completeness());
@@ -47,7 +64,8 @@ std::string to_json(const MapFigures& figures) {
   const std::string near = std::isfinite(figures.near_m) ? formatted_row("%g", figures.near_m) : "null";
   return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g, \"near_m\": %s,\n  \"bands\": ",
                        figures.frames, figures.metres_per_unit, near.c_str()) +
-         json_list(figures.bands) + ",\n  \"kinds\": " + json_list(figures.kinds) + "\n}\n";
+         json_list(figures.bands, json_band) + ",\n  \"kinds\": " + json_list(figures.kinds, json_kind) +
+         ",\n  \"sources\": " + json_list(figures.sources, json_source) + "\n}\n";
 }
 
 }  // namespace edgevo

@@ -52,7 +52,7 @@ PlacedLines place_lines(const Run& map, const Scene& scene) {
     };
     for (const EdgeLine& line : k.lines)
       for (size_t i = 1; i < line.vertices.size(); ++i)
-        placed.pieces.push_back({in_scene(line.vertices[i - 1]), in_scene(line.vertices[i])});
+        placed.pieces.push_back({in_scene(line.vertices[i - 1]), in_scene(line.vertices[i]), line.source});
   }
   return placed;
 }

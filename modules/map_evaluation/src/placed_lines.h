@@ -11,6 +11,7 @@ namespace edgevo {
 /// A piece of a line between two neighbouring vertices, scene axes, metres.
 struct PlacedPiece {
   Eigen::Vector3d a, b;
+  DepthSource source;
 };
 
 /// A map in its scene.

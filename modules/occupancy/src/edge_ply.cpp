@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/edge_ply.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -24,7 +25,7 @@ void put(std::string* bytes, double value) {
 // Properties of a vertex besides position and depth.
 struct VertexNotes {
   int keyframe = 0, observations = 0, line = -1;
-  uint8_t gray = 0, gray_dark = 0, gray_bright = 0, line_kind = 0;
+  uint8_t gray = 0, gray_dark = 0, gray_bright = 0, line_kind = 0, views = 0;
 };
 
 void put_vertex(const Eigen::Vector3d& p_map, float idepth, float idepth_sigma, const VertexNotes& notes,
@@ -39,6 +40,7 @@ void put_vertex(const Eigen::Vector3d& p_map, float idepth, float idepth_sigma, 
   bytes->push_back(char(notes.gray_dark));
   bytes->push_back(char(notes.gray_bright));
   bytes->push_back(char(notes.line_kind));
+  bytes->push_back(char(notes.views));
 }
 
 // The body of the file as written so far.
@@ -51,7 +53,7 @@ void put_points(const Run& run, const PointFilter& filter, size_t k, const SE3& 
   for (const EdgePoint& p : run.keyframes[k].points) {
     if (!filter.keeps(p)) continue;
     const Eigen::Vector3d p_map = T_map_cam * point_in_camera(run.pinhole, p);
-    put_vertex(p_map, p.idepth, p.idepth_sigma, {int(k), p.observations, -1, p.gray, p.gray, p.gray, 0},
+    put_vertex(p_map, p.idepth, p.idepth_sigma, {int(k), p.observations, -1, p.gray, p.gray, p.gray, 0, 0},
                &body->vertices);
     ++body->vertex_count, ++body->point_count;
   }
@@ -59,12 +61,14 @@ void put_points(const Run& run, const PointFilter& filter, size_t k, const SE3& 
 
 void put_line(const Run& run, const EdgeLine& line, size_t k, const SE3& T_map_cam, Body* body) {
   const uint8_t kind =
-      uint8_t((line.is_straight ? ply::kStraight : 0) | (line.is_outline ? ply::kOutline : 0));
+      uint8_t((line.is_straight ? ply::kStraight : 0) | (line.is_outline ? ply::kOutline : 0) |
+              (line.source == DepthSource::kPlane ? ply::kOnPlane : 0));
+  const uint8_t views = uint8_t(std::min(line.views, 255));
   for (size_t i = 0; i < line.vertices.size(); ++i) {
     const EdgeVertex& v = line.vertices[i];
     const uint8_t gray = uint8_t((v.gray_dark + v.gray_bright) / 2);
     put_vertex(T_map_cam * point_in_camera(run.pinhole, v), v.idepth, v.idepth_sigma,
-               {int(k), line.keyframes, body->line_count, gray, v.gray_dark, v.gray_bright, kind},
+               {int(k), line.keyframes, body->line_count, gray, v.gray_dark, v.gray_bright, kind, views},
                &body->vertices);
     if (i > 0) {
       put(&body->edges, uint32_t(body->vertex_count - 1));
@@ -116,7 +120,8 @@ std::string header(const Run& run, const Body& body) {
          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
          "property float idepth\nproperty float idepth_sigma\n"
          "property int keyframe\nproperty int observations\nproperty int line\n"
-         "property uchar gray_dark\nproperty uchar gray_bright\nproperty uchar line_kind\n"
+         "property uchar gray_dark\nproperty uchar gray_bright\nproperty uchar line_kind\nproperty uchar "
+         "views\n"
          "element edge " +
          std::to_string(body.edge_count) + "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
 }

@@ -11,14 +11,14 @@ namespace edgevo::ply {
 constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
 
 /// Byte offsets and size of a vertex: float x y z, uchar red green blue, float idepth idepth_sigma, int
-/// keyframe observations line, uchar gray_dark gray_bright line_kind.
+/// keyframe observations line, uchar gray_dark gray_bright line_kind views.
 constexpr size_t kIdepthOffset = 15, kKeyframeOffset = 23, kLineOffset = 31, kSidesOffset = 35,
-                 kVertexBytes = 38;
+                 kVertexBytes = 39;
 
 /// Size of an edge, bytes: int vertex1 vertex2.
 constexpr size_t kEdgeBytes = 8;
 
 /// Bits of line_kind.
-constexpr int kStraight = 1, kOutline = 2;
+constexpr int kStraight = 1, kOutline = 2, kOnPlane = 4;
 
 }  // namespace edgevo::ply

@@ -51,7 +51,7 @@ void read_line(const std::string& path, const std::string& line, Header* header)
   std::istringstream in(line);
   std::string word, key;
   in >> word >> key;
-  if (word == "property" && line == "property uchar line_kind") header->has_lines = true;
+  if (word == "property" && line == "property uchar views") header->has_lines = true;
   if (word == "element" && key == "vertex" && !(in >> header->vertices))
     refuse(path, "its header does not give the number of points");
   if (word == "element" && key == "edge" && !(in >> header->edges))
@@ -84,7 +84,7 @@ Header read_header(const std::string& path, const std::string& bytes) {
   std::istringstream lines(bytes.substr(0, end));
   for (std::string line; std::getline(lines, line);) read_line(path, line, &header);
   if (!header.is_ours) refuse(path, "its header gives neither scale nor keyframes");
-  if (!header.has_lines) refuse(path, "was written by an older version, without lines of edges");
+  if (!header.has_lines) refuse(path, "was written by an older version, which did not know what sees a line");
   header.end = end + std::strlen("end_header\n");
   const size_t body = bytes.size() - header.end;
   if (body / ply::kVertexBytes < header.vertices ||
@@ -93,11 +93,13 @@ Header read_header(const std::string& path, const std::string& bytes) {
   return header;
 }
 
-// Adds a vertex; the vertices of a line are consecutive. `notes`: gray_dark, gray_bright, line_kind.
+// Adds a vertex; the vertices of a line are consecutive. `notes`: gray_dark, gray_bright, line_kind, views.
 void add_to_line(int number, const EdgePoint& p, const uint8_t* notes, Header* header, KeyframeRecord* host) {
   if (std::exchange(header->line, number) != number) {
     EdgeLine line;
     line.keyframes = p.observations;
+    line.views = notes[3];
+    line.source = notes[2] & ply::kOnPlane ? DepthSource::kPlane : DepthSource::kViews;
     line.is_straight = notes[2] & ply::kStraight;
     line.is_outline = notes[2] & ply::kOutline;
     host->lines.push_back(line);

@@ -39,6 +39,7 @@ std::string row_of(const Run& run, const EdgeLine& line, const SE3& T_map_cam) {
   for (const int number :
        {n, line.keyframes, int(line.is_straight), int(line.is_outline), dark / n, bright / n})
     row += ',' + std::to_string(number);
+  row += ',' + std::to_string(line.views) + ',' + to_string(line.source);
   return row;
 }
 
@@ -47,7 +48,7 @@ std::string row_of(const Run& run, const EdgeLine& line, const SE3& T_map_cam) {
 std::string line_table_csv(const Run& run) {
   std::string text =
       "line,keyframe,frame,x1,y1,z1,x2,y2,z2,length,dx,dy,dz,sigma,vertices,keyframes,straight,outline,gray_"
-      "dark,gray_bright\n";
+      "dark,gray_bright,views,source\n";
   int number = 0;
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
     const KeyframeRecord& keyframe = run.keyframes[k];

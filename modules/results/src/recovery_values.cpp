@@ -189,7 +189,8 @@ void visit_line(Visit& v, Line& line) {
     visit_numbers(v, p.px);
     v.plain(p.idepth), v.plain(p.idepth_sigma), v.plain(p.gray_dark), v.plain(p.gray_bright);
   });
-  v.plain(line.keyframes), v.plain(line.is_straight), v.plain(line.is_outline);
+  v.plain(line.keyframes), v.plain(line.views), v.plain(line.source), v.plain(line.is_straight),
+      v.plain(line.is_outline);
 }
 
 template <class Visit, class Keyframe>

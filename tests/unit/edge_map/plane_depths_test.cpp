@@ -59,6 +59,33 @@ TEST(EdgePlane, AnErrorThatAllShareDoesNotAverageOut) {
   EXPECT_GT(find_plane(samples).at(px).sigma, 0.019 * road(px));
 }
 
+// The road as a camera sees it, and after it has driven on, in distances from the road.
+TEST(EdgePlane, IsPredictedForACameraThatHasMovedOn) {
+  const Pinhole pinhole{320, 320, 320, kHorizon, kWidth, kHeight};
+  Random random(5);
+  const EdgePlane before = find_plane(road_samples(&random, 400, 0.01));
+  const SE3 T_before_now(Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.1, 0, 3));
+  const EdgePlane now = before.seen_from(pinhole, T_before_now);
+  ASSERT_TRUE(now.is_valid());
+  const Eigen::Vector2d px(400, 200);  // flat: the motion along it changes nothing
+  EXPECT_NEAR(now.at(px).idepth / road(px), 1, 0.01);
+  EXPECT_GT(now.at(px).sigma, before.at(px).sigma);
+  const SE3 T_nearer(Eigen::Matrix3d::Identity(), Eigen::Vector3d(0, 0.5 * 1 / (320 * kSlope), 0));
+  EXPECT_NEAR(before.seen_from(pinhole, T_nearer).at(px).idepth / road(px), 2, 0.02);
+}
+
+TEST(EdgePlane, WhatIsPredictedIsKeptAmongFewSamplesOfTheRoad) {
+  Random random(5);
+  const EdgePlane before = find_plane(road_samples(&random, 400, 0.005));
+  std::vector<PlaneSample> samples = road_samples(&random, 60, 0.01);
+  const EdgePlane now = before.corrected(samples);
+  ASSERT_TRUE(now.is_valid());
+  const Eigen::Vector2d px(320, 150);
+  EXPECT_NEAR(now.at(px).idepth / road(px), 1, 0.01);
+  EXPECT_LE(now.at(px).sigma, 1.5 * before.at(px).sigma);
+  EXPECT_FALSE(before.corrected(road_samples(&random, 20, 0.01)).is_valid());
+}
+
 // Short cracks all over the road, one long marking along the motion, and a rail above it at another depth.
 struct RoadView {
   RoadView() {
@@ -91,11 +118,12 @@ struct RoadView {
   int known_on_marking(bool is_shown = true) {
     const auto weigh_node = [&](const FinalNode&, double idepth) {
       NodeEvidence e;
-      e.hypothesis.idepth = idepth, e.hypothesis.views = 4;
-      e.common = idepth, e.is_supported = is_shown;
+      e.hypothesis.idepth = idepth, e.hypothesis.views = is_shown ? 4 : 0;
+      e.common = idepth;
       return e;
     };
-    lay_on_plane(edges, {1, 0.03}, weigh_node, &chains);
+    std::optional<EdgePlane> plane;
+    lay_on_plane(edges, {1, 0.03}, weigh_node, &plane, &chains);
     int known = 0;
     for (const FinalNode& s : chains[size_t(marking)]) known += s.is_known();
     return known;

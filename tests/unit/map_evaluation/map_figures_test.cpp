@@ -92,6 +92,21 @@ TEST(MapFigures, BandsAreCumulativeAndKindsAddUp) {
   EXPECT_GT(figures.kinds[4].edges, 0);  // along the motion
 }
 
+TEST(MapFigures, LinesAreCountedBySource) {
+  edgevo::Run map = true_map(1, 4);
+  for (KeyframeRecord& k : map.keyframes)
+    for (size_t l = 0; l < k.lines.size(); l += 2) {
+      k.lines[l].source = DepthSource::kPlane;
+      for (EdgeVertex& v : k.lines[l].vertices) v.idepth /= 1.2f;
+    }
+  const MapFigures figures = evaluate_map(map, street(), options());
+  const MapFigure &views = figures.sources.at(0), &plane = figures.sources.at(1);
+  EXPECT_EQ(views.drawn + plane.drawn, figures.bands.back().drawn);
+  EXPECT_GT(views.rightness(), 0.9);
+  EXPECT_LT(plane.rightness(), 0.25);
+  EXPECT_NE(to_json(figures).find("\"name\": \"plane\", \"lines\""), std::string::npos);
+}
+
 TEST(MapFigures, AMapOfAnotherSceneIsRefused) {
   edgevo::Run still = true_map(1, 50);
   for (KeyframeRecord& k : still.keyframes) k.T_world_cam = SE3();

@@ -32,6 +32,7 @@ edgevo::Run made_run() {
       test::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 0, 6}, {0.4, 0, 6}, 5),
       test::edge_line(run.pinhole, run.keyframes[2].T_world_cam, {0, 1, 6}, {0, 1, 7}, 3)};
   run.keyframes[2].lines[1].is_outline = true;
+  run.keyframes[2].lines[1].views = 7, run.keyframes[2].lines[1].source = DepthSource::kPlane;
   run.keyframes[3].lines = {
       test::edge_line(run.pinhole, run.keyframes[3].T_world_cam, {0, 0, 5}, {0.4, 0, 6}, 4)};
   return run;
@@ -71,6 +72,8 @@ TEST(EdgePlyReader, RestoresTheLines) {
     for (size_t l = 0; l < run.keyframes[k].lines.size(); ++l) {
       const EdgeLine &a = run.keyframes[k].lines[l], &b = read.keyframes[k].lines[l];
       EXPECT_EQ(b.keyframes, a.keyframes);
+      EXPECT_EQ(b.views, a.views);
+      EXPECT_EQ(b.source, a.source);
       EXPECT_EQ(b.is_straight, a.is_straight);
       EXPECT_EQ(b.is_outline, a.is_outline);
       ASSERT_EQ(b.vertices.size(), a.vertices.size());

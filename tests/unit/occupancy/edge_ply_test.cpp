@@ -24,7 +24,7 @@ struct Vertex {
   uint8_t rgb[3];
   float idepth, idepth_sigma;
   int32_t keyframe, observations, line;
-  uint8_t gray_dark, gray_bright, line_kind;
+  uint8_t gray_dark, gray_bright, line_kind, views;
 };
 #pragma pack(pop)
 

@@ -23,6 +23,7 @@ TEST(LineTable, OneRowALine) {
   run.keyframes.resize(2);
   run.keyframes[1].frame_index = 7;
   run.keyframes[1].lines = {test::edge_line(run.pinhole, SE3(), {0, 0, 6}, {0.5, 0, 6}, 5)};
+  run.keyframes[1].lines[0].views = 3, run.keyframes[1].lines[0].source = DepthSource::kPlane;
   std::istringstream text(line_table_csv(run));
   std::string header, row, more;
   std::getline(text, header);
@@ -43,6 +44,8 @@ TEST(LineTable, OneRowALine) {
   EXPECT_EQ(cell("vertices"), "5");
   EXPECT_EQ(cell("straight"), "1");
   EXPECT_EQ(cell("gray_bright"), "200");
+  EXPECT_EQ(cell("views"), "3");
+  EXPECT_EQ(cell("source"), "plane");
 }
 
 TEST(LineTable, WithoutLinesHasOnlyTheHeader) {

@@ -44,7 +44,8 @@ bool are_same(const std::vector<T>& a, const std::vector<T>& b) {
 }
 
 inline bool is_same(const EdgeLine& a, const EdgeLine& b) {
-  return are_same(a.vertices, b.vertices) && a.keyframes == b.keyframes && a.is_outline == b.is_outline;
+  return are_same(a.vertices, b.vertices) && a.keyframes == b.keyframes && a.views == b.views &&
+         a.source == b.source && a.is_outline == b.is_outline;
 }
 
 /// Poses and points; lines and CPU times may differ.

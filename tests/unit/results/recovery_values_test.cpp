@@ -92,7 +92,7 @@ TEST_F(RecoveryLogs, RestoresAMoveOfTheMap) {
 TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EdgeLine line;
   line.vertices = {{{1, 2}, 0.5f, 0.1f, 3, 4}, {{5, 6}, 0.7f, 0.2f, 7, 8}};
-  line.keyframes = 9;
+  line.keyframes = 9, line.views = 5, line.source = DepthSource::kPlane;
   line.is_outline = true;
   const auto lines = there_and_back(LinesFinished{5, {line, EdgeLine()}});
   EXPECT_EQ(lines.keyframe_id, 5);
@@ -101,6 +101,8 @@ TEST_F(RecoveryLogs, RestoresLinesCameraAndTimes) {
   EXPECT_EQ(lines.lines[0].vertices.at(1).idepth_sigma, 0.2f);
   EXPECT_EQ(lines.lines[0].vertices.at(1).gray_bright, 8);
   EXPECT_EQ(lines.lines[0].keyframes, 9);
+  EXPECT_EQ(lines.lines[0].views, 5);
+  EXPECT_EQ(lines.lines[0].source, DepthSource::kPlane);
   EXPECT_TRUE(lines.lines[0].is_outline);
   EXPECT_FALSE(lines.lines[0].is_straight);
   CameraRefinement camera;

@@ -7,6 +7,7 @@
 // pose; or those of a map that was kept, if keyframes were found in it. Map files re-express it z up by
 // T_zup_world below. Unit: arbitrary unless Run::scale_source says metres.
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -94,12 +95,26 @@ struct EdgeVertex {
   uint8_t gray_dark = 0, gray_bright = 0;
 };
 
+/// Where the depth of a line is from.
+enum class DepthSource : uint8_t {
+  /// The views that show it.
+  kViews,
+  /// The largest plane of its host's view, which it lies on (edge_map/README.md).
+  kPlane
+};
+/// Name of `source` in files.
+inline const char* to_string(DepthSource source) { return source == DepthSource::kPlane ? "plane" : "views"; }
+
 /// A section of a 3D edge without a jump in depth, as its host keyframe saw it (edge_map/edge_mapper.h).
 struct EdgeLine {
   /// Two or more vertices, in order along the edge.
   std::vector<EdgeVertex> vertices;
   /// Number of keyframes that saw the line, including the host.
   int keyframes = 1;
+  /// Number of images beside the host's that showed it there, median of its vertices.
+  int views = 0;
+  /// Where the depth of most of its vertices is from.
+  DepthSource source = DepthSource::kViews;
   /// Whether all vertices lie on one line in space, within their standard deviations.
   bool is_straight = false;
   /// Whether it is an occluding contour: the border of an object, not a mark on its surface.

@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "edgevo/core/camera.h"
@@ -28,6 +29,8 @@
 #include "edgevo/edges/frame_pyramid.h"
 
 namespace edgevo {
+
+class EdgePlane;
 
 /// Gray values on both sides of an edge pixel.
 struct EdgeSides {
@@ -70,11 +73,13 @@ using EdgePiece = std::vector<EdgeNode>;
 
 /// Finds the pieces of the host's edges whose depth the views constrain, in the order of its chains. `sides`
 /// belongs to the edge pixels of the host, `views` are sorted nearest first, and no depth is below 1 over
-/// `max_idepth`. `trace`, unless null, receives one entry per edge pixel.
+/// `max_idepth`. `plane`, unless null: that of the keyframe before as seen from this one, and that of this
+/// one afterwards. `trace`, unless null, receives one entry per edge pixel.
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
                                         const EdgeMapParams& params,
+                                        std::optional<EdgePlane>* plane = nullptr,
                                         std::vector<TracedPixel>* trace = nullptr);
 
 }  // namespace edgevo

@@ -59,8 +59,14 @@ struct MapFigures {
   /// Within the band `near_m`: by kind of edge (outline, crease, texture), and by its direction in the image
   /// against the motion. Lines have no kind: what is drawn and right stays 0.
   std::vector<MapFigure> kinds;
+  /// At all distances, the lines by what their depth is from (DepthSource, in its order). Edges have no
+  /// source.
+  std::vector<MapFigure> sources;
   /// Depth up to which kinds are counted, metres.
   double near_m = 0;
+
+  /// Whether less than half of the lines lie at edges: those of the poorest map of its own scene do.
+  bool is_of_another_scene() const;
 };
 
 /// Compares the lines of `map`, which has the frame indices of the scene, with the scene. Throws InputError
