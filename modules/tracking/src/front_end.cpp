@@ -87,7 +87,9 @@ void FrontEnd::see_turn(const ArrivedFrame& now, const Track& track) {
 }
 
 // By how much the last turns of the image, by its edges, miss what the corners show beyond their noise: an
-// error of each that its neighbours share. The edges of a map that is bent fit, and turn wrongly.
+// error of each that its neighbours share. The edges of a map that is bent fit, and turn wrongly. As a
+// variance of each turn, so that those of n turns, which the filter takes for independent, add up to what was
+// missed.
 Eigen::Matrix3d FrontEnd::shared_error(const CornerTurn& corners) const {
   const size_t n = size_t(corners.frames);
   if (n == 0 || image_turns_.size() < n) return Eigen::Matrix3d::Zero();
@@ -96,7 +98,7 @@ Eigen::Matrix3d FrontEnd::shared_error(const CornerTurn& corners) const {
   const Eigen::Vector3d off = rotation_vector(R * corners.R.conjugate());
   const double square = off.dot(corners.covariance.ldlt().solve(off)), by_noise = 3;  // of three components
   if (!(square > by_noise)) return Eigen::Matrix3d::Zero();
-  return (1 - by_noise / square) / double(n * n) * off * off.transpose();
+  return (1 - by_noise / square) / double(n) * off * off.transpose();
 }
 
 void FrontEnd::confirm_turn(double p_right, const std::optional<CornerTurn>& corners) {
