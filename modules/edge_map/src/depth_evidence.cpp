@@ -154,6 +154,19 @@ void forget(std::vector<LookGroup>* looks) {
   }
 }
 
+// Probability that a view shows an edge that is there: others are occluded, blurred, or not found. And that
+// it shows one by chance where there is none.
+constexpr double kShown = 0.5, kByChance = 0.125;
+
+// What the views show if the edge has the depth of `h`, up to a constant, of at most `most` views: those that
+// contain a point at this depth alone compare nothing.
+double log_likelihood(const Hypothesis& h, int most) {
+  const double shown = h.in_view - h.cost, not_shown = h.cost;
+  const double share = h.in_view > most ? double(most) / h.in_view : 1;
+  return share *
+         (shown * std::log(kShown / kByChance) + not_shown * std::log((1 - kShown) / (1 - kByChance)));
+}
+
 }  // namespace
 
 std::vector<EdgeSides> sample_sides(const PyramidLevel& level) {
@@ -176,7 +189,7 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
   looks.resize(set.groups.size());
   forget(&looks);
   Hypothesis h;
-  for (int pass = guess == Guess::kRough ? 0 : 1; pass < kLooks; ++pass) {
+  for (int pass = int(guess); pass < kLooks; ++pass) {
     EquationSums sums;
     h.idepth = idepth;
     if (!set.views.empty())
@@ -190,6 +203,14 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
     if (pass < kLooks - 1 && sums.A > 0) idepth = std::clamp(idepth + sums.b / sums.A, 0.0, max_idepth);
   }
   return h;
+}
+
+double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double max_idepth,
+                            const EdgeMapParams& params) {
+  const auto look = [&](double at) { return weigh(sight, set, at, Guess::kExact, max_idepth, params); };
+  const Hypothesis here = look(idepth), farther = look(0.5 * idepth), nearer = look(2 * idepth);
+  const auto likelihood = [&](const Hypothesis& h) { return std::exp(log_likelihood(h, here.in_view)); };
+  return log_likelihood(here, here.in_view) - std::log(0.5 * (likelihood(farther) + likelihood(nearer)));
 }
 
 }  // namespace edgevo

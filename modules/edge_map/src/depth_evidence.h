@@ -51,13 +51,21 @@ enum class Guess {
   /// From a crossing in one image.
   kRough,
   /// From the neighbour on the edge.
-  kCarriedAlong
+  kCarriedAlong,
+  /// From elsewhere: it is not refined.
+  kExact
 };
 
 /// Fits `idepth` to the nearest edges in all views and collects their evidence. Stops early if too few views
 /// show an edge (then views < params.min_views).
 Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Guess guess, double max_idepth,
                  const EdgeMapParams& params);
+
+/// Logarithm of the likelihood of what the views show if the edge has this inverse depth, over that if it
+/// lies elsewhere along its ray, half as far or twice. Views in which depth does not move the point show the
+/// same for each, and so say nothing.
+double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double max_idepth,
+                            const EdgeMapParams& params);
 
 /// Whether an edge of another image may be that of the host, whose normal (dark to bright) is expected to
 /// look like this there: the host's, turned by ViewGeometry::turn.

@@ -131,7 +131,7 @@ class PlaneLayer {
         const double idepth = plane_.at(px).idepth;
         if (!(idepth > 0) || idepth > limits_.max_idepth || area_.is_mostly_off(px)) continue;
         const NodeEvidence evidence = weigh_node(s, idepth);
-        if (evidence.hypothesis.views == 0) continue;
+        if (!evidence.is_likely) continue;
         candidates_.push_back({&s, sample_of(px, evidence), evidence.hypothesis});
         if (is_useful(candidates_.back().sample)) samples.push_back(candidates_.back().sample);
       }

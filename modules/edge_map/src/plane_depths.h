@@ -17,6 +17,8 @@ struct NodeEvidence {
   Hypothesis hypothesis;
   /// Standard deviation of the error that all views share.
   double common = 0;
+  /// Whether the views show the edge there rather than elsewhere along its ray.
+  bool is_likely = false;
 };
 using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
 
@@ -27,10 +29,10 @@ struct PlaneLimits {
 };
 
 /// Finds the plane, or corrects that of the keyframe before, as predicted, if no other covers more; refines
-/// it with the evidence of the nodes on it, and gives those that have no certain depth, but an edge there in
-/// any view, the one that it has there. Returns it in `plane`; none if there is none. Around such a node most
-/// edges must lie on the plane. If views cannot show that it lies there, since it runs along the motion,
-/// edges on both its sides must.
+/// it with the evidence of the nodes on it, and gives those that have no certain depth, but that views
+/// show there rather than elsewhere, the one that it has there. Returns it in `plane`; none if there is none.
+/// Around such a node most edges must lie on the plane. If views cannot show that it lies there, since it
+/// runs along the motion, edges on both its sides must.
 void lay_on_plane(const ImageEdges& edges, const PlaneLimits& limits, const WeighNode& weigh_node,
                   std::optional<EdgePlane>* plane, std::vector<FinalChain>* chains);
 

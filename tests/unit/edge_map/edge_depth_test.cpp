@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "depth_evidence.h"
 #include "support/sweep_scene.h"
 
 namespace edgevo {
@@ -75,6 +76,34 @@ TEST(EdgeDepth, VerticesAreInOrderAlongTheirEdge) {
 TEST(EdgeDepth, ASingleImageGivesNoDepth) {
   EXPECT_TRUE(depths_of(12, {}, EdgeMapParams()).empty());
   EXPECT_TRUE(depths_of(12, {12, 12, 12, 12}, EdgeMapParams()).empty());  // no baseline
+}
+
+// Share of the edge pixels whose depth, times `factor`, is likelier than elsewhere along the ray, and that of
+// those of which views say nothing.
+std::pair<double, double> likely_share(const std::vector<int>& frames, double factor) {
+  std::vector<EdgeView> views;
+  for (const int f : frames) views.push_back(view_of(12, f));
+  const ViewSet set(Sweep::pinhole(), views);
+  const PyramidLevel& level = Sweep::pyramid(12)->finest();
+  const std::vector<EdgeSides> sides = sample_sides(level);
+  int all = 0, likely = 0, silent = 0;
+  for (size_t i = 0; i < level.edges.pixels.size(); i += 50, ++all) {
+    const EdgePixel& e = level.edges.pixels[i];
+    EdgeSight sight{e.position().cast<double>(), e.normal().cast<double>(), sides[i], {}};
+    look_along(set, sight.px, sight.normal, &sight.lines);
+    const double ratio =
+        log_likelihood_ratio(sight, set, factor * Sweep::idepth(12, sight.px), 10, EdgeMapParams());
+    likely += ratio > 0, silent += ratio == 0;
+  }
+  return {double(likely) / all, double(silent) / all};
+}
+
+TEST(EdgeDepth, ViewsSayWhereAnEdgeIsOnlyWhereDepthMovesIt) {
+  const double right = likely_share(kAround, 1).first, wrong = likely_share(kAround, 1.4).first;
+  std::cout << "[ figures  ] likely at the true depth " << right << ", at another " << wrong << std::endl;
+  EXPECT_GT(right, 0.6);
+  EXPECT_LT(wrong, 0.5 * right);
+  EXPECT_EQ(likely_share({12, 12, 12}, 1).second, 1);  // no baseline
 }
 
 TEST(EdgeDepth, NothingIsNearerThanAllowed) {

@@ -118,8 +118,8 @@ struct RoadView {
   int known_on_marking(bool is_shown = true) {
     const auto weigh_node = [&](const FinalNode&, double idepth) {
       NodeEvidence e;
-      e.hypothesis.idepth = idepth, e.hypothesis.views = is_shown ? 4 : 0;
-      e.common = idepth;
+      e.hypothesis.idepth = idepth, e.hypothesis.views = 4;
+      e.common = idepth, e.is_likely = is_shown;
       return e;
     };
     std::optional<EdgePlane> plane;

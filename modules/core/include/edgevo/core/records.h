@@ -111,7 +111,7 @@ struct EdgeLine {
   std::vector<EdgeVertex> vertices;
   /// Number of keyframes that saw the line, including the host.
   int keyframes = 1;
-  /// Number of images beside the host's that showed it there, median of its vertices.
+  /// Number of images besides the host's that showed it there, median of its vertices.
   int views = 0;
   /// Where the depth of most of its vertices is from.
   DepthSource source = DepthSource::kViews;
