@@ -70,7 +70,7 @@ void replay(const std::string& folder, TrustRun* run) {
     if (!row.next()) break;
     const FrameEvidence evidence = evidence_of(row);
     if (std::isfinite(row.number("p_right")) && frame.T_world_cam) {
-      if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map();
+      if (std::exchange(segment, frame.segment) != frame.segment) history.begin_map(), trust.begin_map();
       history.add({*frame.T_world_cam, {}, 1, evidence.stands});
       const FrameConfidence confidence = trust.add({evidence, history.newest()});
       run->doubts.back() = confidence.doubts;

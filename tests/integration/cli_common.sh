@@ -84,7 +84,7 @@ rows() { awk 'END { print NR - 1 }' "$1/frames.csv"; }
 # in_state OUT STATE [FIRST LAST]: number of rows (of frames FIRST to LAST) in that state.
 in_state() { awk -F, -v s="$2" -v a="${3:-0}" -v b="${4:-999999999}" 'NR > 1 && $1 >= a && $1 <= b && $3 == s' "$1/frames.csv" | wc -l; }
 # untimed OUT: frames.csv without the latency and the columns of times, which come last.
-untimed() { cut -d, -f1-10,12-25 "$1/frames.csv" >"$1/frames_untimed.csv"; }
+untimed() { cut -d, -f1-10,12-52 "$1/frames.csv" >"$1/frames_untimed.csv"; }
 # ate OUT SEQUENCE: RMSE in metres after a Sim(3) alignment.
 ate() {
   "$edgevo" eval "$1/trajectory_tum.txt" "$2/groundtruth_tum.txt" --json >eval.json 2>eval.err

@@ -92,7 +92,9 @@ pid_t start(const std::vector<std::string>& words, int output) {
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   const pid_t parent = getpid(), child = fork();
-  if (child != 0) return child;
+  if (child < 0) throw InputError("snakemake", std::strerror(errno), "close other programs");
+  if (child > 0) setpgid(child, child);  // here, too: a signal may come before the child has done it
+  if (child > 0) return child;
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);

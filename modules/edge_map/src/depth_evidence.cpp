@@ -159,7 +159,8 @@ void forget(std::vector<LookGroup>* looks) {
 constexpr double kShown = 0.5, kByChance = 0.125;
 
 // What the views show if the edge has the depth of `h`, up to a constant, of at most `most` views: those that
-// contain a point at this depth alone compare nothing.
+// contain a point at this depth alone compare nothing. Those that do not contain it, but show the edge at the
+// other, support that: limited to what contains all, markings are fewer and less right.
 double log_likelihood(const Hypothesis& h, int most) {
   const double shown = h.in_view - h.cost, not_shown = h.cost;
   const double share = h.in_view > most ? double(most) / h.in_view : 1;

@@ -133,7 +133,8 @@ class PlaneLayer {
         const NodeEvidence evidence = weigh_node(s, idepth);
         if (!evidence.is_likely) continue;
         candidates_.push_back({&s, sample_of(px, evidence), evidence.hypothesis});
-        if (is_useful(candidates_.back().sample)) samples.push_back(candidates_.back().sample);
+        if (evidence.is_measured && is_useful(candidates_.back().sample))
+          samples.push_back(candidates_.back().sample);
       }
     plane_ = is_predicted_ ? plane_.corrected(samples) : refined(plane_, samples);
   }

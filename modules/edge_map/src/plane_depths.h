@@ -19,6 +19,8 @@ struct NodeEvidence {
   double common = 0;
   /// Whether the views show the edge there rather than elsewhere along its ray.
   bool is_likely = false;
+  /// Whether they have moved it, enough of them, from the depth that was given.
+  bool is_measured = false;
 };
 using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
 

@@ -73,7 +73,7 @@ bool GyroIntegrator::rests(const Eigen::Vector3d& rate) const { return unit_ * r
 
 void GyroIntegrator::set_unit(double rad_per_unit) {
   const double factor = rad_per_unit / unit_;
-  for (Sample& s : samples_) s.rate *= factor, s.integral *= factor;
+  for (Sample& s : samples_) s.rate *= factor, s.integral *= factor, s.unsure2 *= factor * factor;
   noise_ *= factor;
   unit_ = rad_per_unit;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/formatted.h"
@@ -38,19 +39,21 @@ bool is_linked_over(const Run& run, const PureRotation& turn) {
 std::vector<PureRotation> pure_rotations(const Run& run) {
   std::vector<PureRotation> turns;
   const FrameRecord* before = nullptr;  // the keyframe before
+  double turned = 0;                    // since the newest turn ended
   int segment = -1;                     // of the newest turn
   for (const FrameRecord& k : run.frames) {
     if (!k.T_world_cam || !k.evidence.adjustment) continue;
     const FrameRecord& from = before && before->segment == k.segment ? *before : k;
     before = &k;
+    turned += angle_between(from, k);
     if (added_variance(k) < kCarriedSigma * kCarriedSigma) continue;
     const bool goes_on =
         !turns.empty() && segment == k.segment && from.index - turns.back().last_frame < kEndFrames;
-    if (!goes_on) turns.push_back({from.index, 0, 0, 0});
+    if (!goes_on) turns.push_back({from.index, 0, 0, 0}), turned = angle_between(from, k);
     segment = k.segment;
     PureRotation& turn = turns.back();
     turn.last_frame = k.index;
-    turn.angle_rad += angle_between(from, k);
+    turn.angle_rad += std::exchange(turned, 0);
     turn.sigma = std::hypot(turn.sigma, std::sqrt(added_variance(k)));
   }
   turns.erase(

@@ -6,6 +6,7 @@
 #include "edgevo/alignment/projection.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
+#include "edgevo/core/motion_tolerance.h"
 #include "edgevo/core/rotation_vector.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
@@ -104,7 +105,7 @@ Eigen::Matrix3d FrontEnd::shared_error(const CornerTurn& corners) const {
 void FrontEnd::confirm_turn(double p_right, const std::optional<CornerTurn>& corners) {
   if (!seen_turn_) return image_turns_.clear();
   image_turns_.push_back(seen_turn_->R);
-  if (corners && image_turns_.size() > size_t(corners->frames)) image_turns_.pop_front();
+  while (image_turns_.size() > size_t(kMotionTolerance.frames)) image_turns_.pop_front();
   Eigen::Matrix3d covariance = covariance_factor(p_right) * seen_turn_->covariance;
   if (corners) covariance += shared_error(*corners);
   gyro_.see(seen_turn_->begin, seen_turn_->end, seen_turn_->R, covariance);

@@ -85,6 +85,11 @@ class MotionConfidence {
   explicit MotionConfidence(const ConfidenceParams& params = {}) : params_(params) {}
   /// Adds a frame with a pose, in time order.
   FrameConfidence add(const ConfidenceInput& frame);
+  /// A new map begins, whose unit is another one.
+  void begin_map() {
+    unit_variances_.clear();
+    new_variance_ = 0;
+  }
   /// Adds what the adjustment of a keyframe showed of the unit; it counts from the next frame on.
   void add_adjustment(const AdjustmentEvidence& adjustment) { new_variance_ += adjustment.unit_variance; }
 

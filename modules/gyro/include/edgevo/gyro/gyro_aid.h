@@ -27,7 +27,7 @@ class GyroAid {
   void add(const GyroSample& sample);
   /// Whether there were any.
   bool has_samples() const { return gyro_.has_samples(); }
-  /// Takes a rotation that the images alone show, whose pose is good. Cost: 10 microseconds; until the gyro
+  /// Takes a rotation that the images alone show, whose pose is good. Cost: 60 microseconds; until the gyro
   /// is calibrated now and then 10 ms.
   void see(Timestamp begin, Timestamp end, const Eigen::Quaterniond& R, const Eigen::Matrix3d& covariance);
 

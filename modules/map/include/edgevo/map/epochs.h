@@ -13,8 +13,8 @@
 // which the map has carried the unit badly, has one mode: to what it was carried.
 //
 // Between two epochs lies the doubt. Its keyframes belong to neither: their unit goes over from one to the
-// other in proportion to the doubt in the frames (1 - p_right), the mean of a random walk whose variance is
-// that doubt and whose both ends are known.
+// other in proportion to their doubt (1 - p_right, and the unit's growing variance), the mean of a random
+// walk whose variance is that doubt and whose both ends are known.
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -41,7 +41,7 @@ std::string trajectory_kitti(const Run& run);
 /// (with keyframe 0: mapping was busy with another; "return": tracking went back to an older keyframe).
 /// visible_points to adjusted_unit_sigma are the evidence (core/frame_evidence.h), pose_sigma the largest of
 /// pose_sigmas; unknown values are empty. So are stages that did not run in a frame, and the latency of a
-/// synchronous run. The latency and the stages depend on the clock (`cut -d, -f1-10,12-26` drops them);
+/// synchronous run. The latency and the stages depend on the clock (`cut -d, -f1-10,12-52` drops them);
 /// stages come in the order in which they first ran. Commas and quotes in a note are replaced, so that every
 /// reader can split at commas.
 std::string frames_csv(const Run& run);
