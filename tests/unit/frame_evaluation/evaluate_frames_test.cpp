@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "edgevo/core/doubtful_frame.h"
 #include "made_run.h"
 
 namespace edgevo {
@@ -91,7 +92,8 @@ TEST(EvaluateFrames, NoticedIsWhatIsSaidWithinTenFrames) {
   EXPECT_EQ(with(105, degrade).longest_unnoticed, 4) << "from 91 to 94 it is too late";
   EXPECT_EQ(with(111, degrade).longest_unnoticed, 10);
   EXPECT_EQ(with(101, [](ReportedFrame* c) { c->p_right = 0.1; }).longest_unnoticed, 0);
-  EXPECT_EQ(with(101, [](ReportedFrame* c) { c->p_right = 0.6; }).longest_unnoticed, 10);
+  EXPECT_EQ(with(101, [](ReportedFrame* c) { c->p_right = 0.5 * (1 + kDoubtfulBelow); }).longest_unnoticed,
+            10);
 }
 
 TEST(EvaluateFrames, AlarmsRightAfterAWrongFrameAreNotFalse) {
