@@ -22,8 +22,6 @@ class CornerEvaluation {
   /// FeatureTracker::add(), for the corners of the image.
   std::optional<CornerEvidence> add(const CornerView& view, const std::optional<SE3>& T_cur_last,
                                     const std::optional<SE3>& T_cam_map = {});
-  /// FeatureTracker::turn().
-  std::optional<CornerTurn> turn() const { return comparison_.turn(); }
   /// FeatureTracker::begin_map().
   void begin_map(double median_idepth);
   /// Corners that are not to be followed any more.

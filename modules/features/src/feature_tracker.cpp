@@ -32,8 +32,6 @@ std::optional<CornerEvidence> FeatureTracker::add(const std::shared_ptr<const Fr
 
 std::vector<FollowedCorner> FeatureTracker::followed() const { return impl_->tracks.followed(); }
 
-std::optional<CornerTurn> FeatureTracker::turn() const { return impl_->evaluation.turn(); }
-
 void FeatureTracker::begin_map(double median_idepth) { impl_->evaluation.begin_map(median_idepth); }
 
 }  // namespace edgevo

@@ -121,14 +121,6 @@ void MotionComparison::compare_motion(const Ratio& before, CornerEvidence* evide
       std::hypot(translation_sigma(from.step), std::hypot(translation_sigma(to.step), of_unit)) / length;
 }
 
-std::optional<CornerTurn> MotionComparison::turn() const {
-  if (int(entries_.size()) <= kNow) return std::nullopt;
-  const ChainStep &from = entries_[entries_.size() - 1 - kNow].step, &to = entries_.back().step;
-  if (!from.is_measured || !to.is_measured) return std::nullopt;
-  return CornerTurn{kNow, (to.T_cam_path * from.T_cam_path.inverse()).rotation(),
-                    from.covariance.bottomRightCorner<3, 3>() + to.covariance.bottomRightCorner<3, 3>()};
-}
-
 void MotionComparison::compare_rotation(CornerEvidence* evidence) const {
   const Entry& from = entries_[entries_.size() - 1 - kNow];
   const Entry& to = entries_.back();

@@ -31,8 +31,6 @@ class MotionComparison {
   std::optional<double> unit() const;
   /// Everything that the two paths say, the other fields of the evidence left as they are.
   void compare(CornerEvidence* evidence) const;
-  /// FeatureTracker::turn().
-  std::optional<CornerTurn> turn() const;
 
  private:
   using OdometryPose = std::optional<SE3> Entry::*;

@@ -176,7 +176,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
   record_pose(track.result, now.record, is_replayed);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
-  assign_confidence(status, now.record, is_replayed);
+  assign_confidence(status, now.record);
   if (focal) tracked.focal_length = focal->error();
   watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
@@ -220,8 +220,7 @@ void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record
   newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
 }
 
-// Corners are not followed through frames that are replayed.
-void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord* record, bool is_replayed) {
+void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
@@ -233,7 +232,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
-  front_end.confirm_turn(found.p_right, corners && !is_replayed ? corners->turn() : std::nullopt);
+  if (!is_doubtful(*record)) front_end.confirm_turn();
 }
 
 // ---- doubt ----

@@ -57,7 +57,7 @@ struct Odometry::Impl {
   void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
   // tracked as any other; what it means for the map: watch_integrity().
-  void assign_confidence(const FrameStatus& by_image, FrameRecord* record, bool is_replayed);
+  void assign_confidence(const FrameStatus& by_image, FrameRecord* record);
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);

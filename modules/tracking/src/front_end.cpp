@@ -6,7 +6,6 @@
 #include "edgevo/alignment/projection.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/confidence/frame_status.h"
-#include "edgevo/core/motion_tolerance.h"
 #include "edgevo/core/rotation_vector.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
@@ -87,28 +86,9 @@ void FrontEnd::see_turn(const ArrivedFrame& now, const Track& track) {
   turned_ = is_good ? std::make_optional(to) : std::nullopt;
 }
 
-// By how much the last turns of the image, by its edges, miss what the corners show beyond their noise: an
-// error of each that its neighbours share. The edges of a map that is bent fit, and turn wrongly. As a
-// variance of each turn, so that those of n turns, which the filter takes for independent, add up to what was
-// missed.
-Eigen::Matrix3d FrontEnd::shared_error(const CornerTurn& corners) const {
-  const size_t n = size_t(corners.frames);
-  if (n == 0 || image_turns_.size() < n) return Eigen::Matrix3d::Zero();
-  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
-  for (size_t i = image_turns_.size() - n; i < image_turns_.size(); ++i) R = image_turns_[i] * R;
-  const Eigen::Vector3d off = rotation_vector(R * corners.R.conjugate());
-  const double square = off.dot(corners.covariance.ldlt().solve(off)), by_noise = 3;  // of three components
-  if (!(square > by_noise)) return Eigen::Matrix3d::Zero();
-  return (1 - by_noise / square) / double(n) * off * off.transpose();
-}
-
-void FrontEnd::confirm_turn(double p_right, const std::optional<CornerTurn>& corners) {
-  if (!seen_turn_) return image_turns_.clear();
-  image_turns_.push_back(seen_turn_->R);
-  while (image_turns_.size() > size_t(kMotionTolerance.frames)) image_turns_.pop_front();
-  Eigen::Matrix3d covariance = covariance_factor(p_right) * seen_turn_->covariance;
-  if (corners) covariance += shared_error(*corners);
-  gyro_.see(seen_turn_->begin, seen_turn_->end, seen_turn_->R, covariance);
+void FrontEnd::confirm_turn() {
+  if (const auto turn = std::exchange(seen_turn_, std::nullopt))
+    gyro_.see(turn->begin, turn->end, turn->R, turn->covariance);
 }
 
 ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure) {

@@ -5,7 +5,6 @@
 // together and every edge still fits. Corners have depths of their own, in a unit of their own, carried
 // from corner to corner: next to them a unit that is lost shows, and so do wrong rotations and directions.
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -20,16 +19,6 @@ namespace edgevo {
 
 /// Whether a pixel of the finest level lies on something that is known to move by itself.
 using MovesByItself = std::function<bool(const Eigen::Vector2d& px)>;
-
-/// A rotation that the corners alone show.
-struct CornerTurn {
-  /// Over how many images, up to the newest one.
-  int frames = 0;
-  /// p_newest = R p_first for points at infinity.
-  Eigen::Quaterniond R = Eigen::Quaterniond::Identity();
-  /// Covariance of delta in R <- exp(delta) R.
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-};
 
 /// Follows about 100 corners. For one thread; deterministic.
 class FeatureTracker {
@@ -49,8 +38,6 @@ class FeatureTracker {
   std::optional<CornerEvidence> add(const std::shared_ptr<const FramePyramid>& frame,
                                     const std::optional<SE3>& T_cur_last, const MovesByItself& moves = {},
                                     bool stands = false, const std::optional<SE3>& T_cam_map = {});
-  /// The rotation over the last ten images by the corners alone; nothing where too few are followed.
-  std::optional<CornerTurn> turn() const;
   /// The corners of the newest image, by ascending id.
   std::vector<FollowedCorner> followed() const;
   /// A new map begins with the newest image: the poses before it had another unit. The corners and theirs

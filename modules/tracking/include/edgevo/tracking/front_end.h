@@ -2,7 +2,6 @@
 #pragma once
 // From an image to a pose: edges, tracking against the reference, and the frame that mapping receives. Knows
 // no state and no map but the reference.
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,7 +13,6 @@
 #include "edgevo/core/random.h"
 #include "edgevo/edges/edge_detector.h"
 #include "edgevo/edges/frame_pyramid.h"
-#include "edgevo/features/feature_tracker.h"
 #include "edgevo/gyro/gyro_aid.h"
 #include "edgevo/mapping/mapper.h"
 #include "edgevo/segmentation/moving_objects.h"
@@ -89,10 +87,9 @@ class FrontEnd {
   /// Accepts the pose of a frame and returns what mapping needs of it. Writes a call for a keyframe to its
   /// record.
   TrackedFrame accept_pose(const ArrivedFrame& now, Track track, bool is_mapping_busy);
-  /// Takes the probability that the motion of the accepted pose is right (FrameRecord::p_right), and the
-  /// rotation by corners alone: what its edges show of the rotation counts less for the gyro where that is
-  /// doubted, or contradicts the corners.
-  void confirm_turn(double p_right, const std::optional<CornerTurn>& corners);
+  /// Shows the gyro the rotation of the accepted pose: of one that is not doubtful. The edges of a map that
+  /// is bent fit, and turn wrongly.
+  void confirm_turn();
 
   /// Reference that frames are tracked against; null without a map.
   const std::shared_ptr<const Reference>& reference() const { return reference_; }
@@ -140,7 +137,6 @@ class FrontEnd {
     Eigen::Quaterniond R;
     Eigen::Matrix3d covariance;
   };
-  Eigen::Matrix3d shared_error(const CornerTurn& corners) const;
   std::optional<RotationPrior> turn_since_reference(Timestamp time) const;
   void see_turn(const ArrivedFrame& now, const Track& track);
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
@@ -158,10 +154,9 @@ class FrontEnd {
   std::unique_ptr<CornerSearch> corners_in_parallel_;  // only with TrackingOptions::corners_in_parallel
   MotionModel motion_;
   GyroAid gyro_;
-  std::optional<ImageTurn> seen_turn_;          // until the pose is confirmed
-  std::deque<Eigen::Quaterniond> image_turns_;  // by edges alone, one after the other
-  Timestamp begun_, pose_time_;                 // of the newest frame, and of the last one with a pose
-  std::optional<RotationByImage> turned_;       // of that one
+  std::optional<ImageTurn> seen_turn_;     // until the pose is confirmed
+  Timestamp begun_, pose_time_;            // of the newest frame, and of the last one with a pose
+  std::optional<RotationByImage> turned_;  // of that one
   MotionHistory* history_;
   KeyframePolicy keyframes_;
   MapCoverage coverage_;
