@@ -41,11 +41,13 @@ ConsistencyTest largest_contribution(const Inconsistencies& doubts) {
       ->doubt;
 }
 
-// Which of the two that corners contradict: the rotation beyond its tolerance, else the length.
+// What corners contradict beyond its tolerance: the rotation, the length, else the direction.
 Reason reason_of(const CornerEvidence& c) {
-  if (!(c.rotation_deg <= kMotionTolerance.rotation_deg) || std::isnan(c.change_10))
+  if (c.rotation_deg > kMotionTolerance.rotation_deg || std::isnan(c.motion_error))
     return {ReasonKind::kRotationByCorners, c.rotation_deg};
-  return {ReasonKind::kScaleByCorners, std::exp(-c.change_10), 10.0};
+  if (std::abs(std::expm1(-c.change_10)) > kMotionTolerance.share_of_length)
+    return {ReasonKind::kScaleByCorners, std::exp(-c.change_10), 10.0};
+  return {ReasonKind::kTranslationByCorners, c.motion_error};
 }
 
 Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {

@@ -70,6 +70,8 @@ const char* pattern_of(ReasonKind kind) {
       return "a step of %.0f times the usual one";
     case ReasonKind::kRotationByCorners:
       return "rotation over 10 frames differs from the corners' by %.1f degrees";
+    case ReasonKind::kTranslationByCorners:
+      return "translation over 10 frames differs from the corners' by %.0f %% of its length";
     case ReasonKind::kFocalLength:
       return "a turn with a focal length that the corners put %.0f %% off";
     case ReasonKind::kTurn:
@@ -89,9 +91,9 @@ const char* pattern_of(ReasonKind kind) {
 }
 
 bool is_share(ReasonKind kind) {
-  return kind == ReasonKind::kFewAgree || kind == ReasonKind::kFocalLength ||
-         kind == ReasonKind::kLittleInformation || kind == ReasonKind::kMapMoved ||
-         kind == ReasonKind::kUnitCarried;
+  return kind == ReasonKind::kFewAgree || kind == ReasonKind::kTranslationByCorners ||
+         kind == ReasonKind::kFocalLength || kind == ReasonKind::kLittleInformation ||
+         kind == ReasonKind::kMapMoved || kind == ReasonKind::kUnitCarried;
 }
 
 }  // namespace

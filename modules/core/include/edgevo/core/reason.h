@@ -69,6 +69,8 @@ enum class ReasonKind : uint8_t {
   kScaleByCorners,
   /// Difference of the rotation over ten frames to that of the corners, degrees.
   kRotationByCorners,
+  /// Difference of the translation over ten frames to that of the corners, as a share of its length.
+  kTranslationByCorners,
   /// Error of the focal length by the corners, as a share.
   kFocalLength,
   /// A turn that hides the translation.
