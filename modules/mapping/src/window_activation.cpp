@@ -88,11 +88,13 @@ MapPoint Window::match_candidate(const Candidate& c, const std::vector<Sight>& s
   return point;
 }
 
-// Of the logarithm of a new point's depth: what all points seen from these views share. No more than 1: a
+// Of the logarithm of a new point's depth: what all points matched in the same views share. No more than 1: a
 // factor of e either way is nothing known.
-void Window::add_shared_variance(const std::vector<Sight>& sights) {
+void Window::add_shared_variance(const MapPoint& point, const std::vector<Sight>& sights) {
   double baseline = 0;
-  for (const Sight& s : sights) baseline = std::max(baseline, s.view->T_target_host.translation().norm());
+  for (const Sight& s : sights)
+    if (point.find(s.view->target->id))
+      baseline = std::max(baseline, s.view->T_target_host.translation().norm());
   ++new_points_;
   shared_variances_ += std::min(1.0, position_variance_ / (baseline * baseline));
 }
@@ -108,7 +110,7 @@ bool Window::try_activate(const ActivationPolicy& policy, const Candidate& c) {
   MapPoint point = match_candidate(c, sights);
   if (int(point.observations.size()) < policy.min_matches) return false;
   point.tentative = c.point->tentative = tentative;
-  add_shared_variance(sights);
+  add_shared_variance(point, sights);
   c.host->keyframe->points.push_back(std::move(point));
   return true;
 }

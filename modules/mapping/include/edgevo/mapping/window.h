@@ -156,7 +156,7 @@ class Window {
                       std::vector<Candidate>* candidates) const;
   bool is_certain(const Candidate& candidate) const;
   MapPoint match_candidate(const Candidate& candidate, const std::vector<Sight>& sights) const;
-  void add_shared_variance(const std::vector<Sight>& sights);
+  void add_shared_variance(const MapPoint& point, const std::vector<Sight>& sights);
   bool try_activate(const ActivationPolicy& policy, const Candidate& candidate);
   AssociationQuery query(const Keyframe& host, const MapPoint& point, const View& view) const;
   /// The window as a problem, with indices to transfer its result back.
