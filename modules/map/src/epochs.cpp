@@ -384,6 +384,7 @@ PlacedEpochs Epochs::solve(const RunSoFar& run) const {
 
 PlacedEpochs Epochs::solve_keyframes(const RunSoFar& run, const std::vector<KeyframeInMap>& keyframes) const {
   PlacedEpochs placed = solve(run);
+  if (!constraints_.empty()) placed.newest_constraint = constraints_.rbegin()->first;
   const bool is_place_seen_again = std::any_of(constraints_.begin(), constraints_.end(), [&](const auto& c) {
     return relates_within_epoch(c.second, placed, run);
   });

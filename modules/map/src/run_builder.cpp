@@ -223,7 +223,8 @@ EpochsPlaced RunBuilder::follow_epochs(PlacedEpochs placed, int segment,
   const Sim3& before = T_odom_map(segment);
   Sim3 T_odom_map{T_world_map.scale, SE3(before.rigid.rotation(), Eigen::Vector3d::Zero())};
   T_odom_map.rigid = SE3(before.rigid.rotation(), before * newest_position - T_odom_map * newest_position);
-  return {std::move(placed.epochs), segment, T_odom_map, (T_world_map * T_odom_map.inverse()).rigid};
+  return {std::move(placed.epochs), segment, T_odom_map, (T_world_map * T_odom_map.inverse()).rigid,
+          placed.newest_constraint};
 }
 
 // ---- the run so far ----

@@ -263,6 +263,7 @@ void visit(Visit& v, typename Visit::template Value<EpochsPlaced>& e) {
     visit_similarity(v, p.T_world_map), v.plain(p.scale_sigma);
   });
   v.plain(e.segment), visit_similarity(v, e.T_odom_map), v.pose(e.T_world_odom);
+  v.plain(e.newest_constraint);
 }
 
 template <class Visit>

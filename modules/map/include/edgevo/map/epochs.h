@@ -59,6 +59,8 @@ struct PlacedEpochs {
   std::map<int, Sim3> own;
   /// The constraints that the others contradict in their unit or place, by their numbers in the run.
   std::vector<int> unused;
+  /// Number of the newest constraint that was known; -1: none was.
+  int newest_constraint = -1;
   /// Whether a constraint is one of them.
   bool is_unused(int id) const { return std::find(unused.begin(), unused.end(), id) != unused.end(); }
 

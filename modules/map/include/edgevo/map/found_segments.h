@@ -3,7 +3,6 @@
 // Which segments of a run have been found in a map that was kept, so that their poses in the world have its
 // frame and unit.
 #include <map>
-#include <set>
 
 #include "edgevo/map/map_event.h"
 
@@ -14,13 +13,14 @@ class FoundSegments {
  public:
   /// Takes the next event.
   void apply(const MapEvent& event);
-  /// Whether poses of this segment in the world are in the kept map: something of it was found there, and the
-  /// epochs have been placed since.
-  bool contains(int segment) const { return placed_.count(segment) > 0; }
+  /// Whether poses of this segment in the world are in the kept map: something of it was found there, is not
+  /// withdrawn, and the epochs have been placed by it.
+  bool contains(int segment) const;
 
  private:
   std::map<int, int> segment_of_;  // by keyframe
-  std::set<int> found_, placed_;   // before and after the poses say so
+  std::map<int, int> found_;       // segment, by the constraint that says so
+  int newest_placed_ = -1;         // EpochsPlaced::newest_constraint
 };
 
 }  // namespace edgevo

@@ -106,6 +106,8 @@ struct EpochsPlaced {
   Sim3 T_odom_map;
   /// From that frame to the world: a rigid motion.
   SE3 T_world_odom;
+  /// Number of the newest constraint that was known when they were solved for; -1: none was.
+  int newest_constraint = -1;
 };
 
 /// A frame has become a keyframe of the window.
