@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/map_event.h"
 #include "support/synthetic_run.h"

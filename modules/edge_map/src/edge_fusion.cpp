@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "depth_evidence.h"
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/map/run_builder.h"
 #include "straight_line.h"

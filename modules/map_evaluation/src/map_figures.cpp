@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/error.h"
 #include "placed_lines.h"
 #include "true_view.h"

@@ -3,6 +3,7 @@
 // The lines of a map, put into its scene, and drawn into views of it.
 #include <vector>
 
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/records.h"
 #include "edgevo/simulation/scene.h"
 

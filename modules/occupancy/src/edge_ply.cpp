@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "edge_ply_format.h"
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {

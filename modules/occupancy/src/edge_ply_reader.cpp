@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "edge_ply_format.h"
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/input_file.h"
 

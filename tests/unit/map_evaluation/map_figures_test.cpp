@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps whose figures are known: made of the true edges of the rendered street.
 #include "edgevo/map_evaluation/map_figures.h"
+#include "edgevo/core/depth_source.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/occupancy/line_table.h"
+#include "edgevo/core/depth_source.h"
 
 #include <gmock/gmock.h>
 

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/random.h"
 #include "recovery_logs.h"
 

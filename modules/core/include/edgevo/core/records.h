@@ -95,15 +95,7 @@ struct EdgeVertex {
   uint8_t gray_dark = 0, gray_bright = 0;
 };
 
-/// Where the depth of a line is from.
-enum class DepthSource : uint8_t {
-  /// The views that show it.
-  kViews,
-  /// The largest plane of its host's view, which it lies on (edge_map/README.md).
-  kPlane
-};
-/// Name of `source` in files.
-inline const char* to_string(DepthSource source) { return source == DepthSource::kPlane ? "plane" : "views"; }
+enum class DepthSource : uint8_t;  // depth_source.h
 
 /// A section of a 3D edge without a jump in depth, as its host keyframe saw it (edge_map/edge_mapper.h).
 struct EdgeLine {
@@ -114,7 +106,7 @@ struct EdgeLine {
   /// Number of images besides the host's that showed it there, median of its vertices.
   int views = 0;
   /// Where the depth of most of its vertices is from.
-  DepthSource source = DepthSource::kViews;
+  DepthSource source{};
   /// Whether all vertices lie on one line in space, within their standard deviations.
   bool is_straight = false;
   /// Whether it is an occluding contour: the border of an object, not a mark on its surface.

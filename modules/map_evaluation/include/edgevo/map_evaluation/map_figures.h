@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "edgevo/core/depth_source.h"
 #include "edgevo/core/records.h"
 #include "edgevo/simulation/scene_renderer.h"
 
