@@ -45,8 +45,9 @@ Eigen::Vector2d add_rolling(const Rectification& r, double row_time_s, const Ima
                             const Eigen::Vector2d& x) {
   if (row_time_s == 0 || !motion.is_known()) return x;
   const Eigen::Vector2d velocity = motion.at(r.target(), x);
-  return x +
-         row_time_s * shutter_row(r.camera(), x) / rows_left(r.camera(), row_time_s, x, velocity) * velocity;
+  const double t = row_time_s * shutter_row(r.camera(), x) / rows_left(r.camera(), row_time_s, x, velocity);
+  const Eigen::Vector2d moved = x + t * velocity;
+  return motion.turning.isZero(0) ? moved : moved + 0.5 * t * t * motion.acceleration(r.target(), x);
 }
 
 Eigen::Vector2d rolling_rate(const Rectification& r, double row_time_s, const ImageMotion& motion,
@@ -54,7 +55,9 @@ Eigen::Vector2d rolling_rate(const Rectification& r, double row_time_s, const Im
   if (!motion.is_known()) return Eigen::Vector2d::Zero();
   const Eigen::Vector2d velocity = motion.at(r.target(), x);
   const double left = rows_left(r.camera(), row_time_s, x, velocity);
-  return shutter_row(r.camera(), x) / (left * left) * velocity;
+  const double row = shutter_row(r.camera(), x) / (left * left), t = row_time_s * row * left;
+  const Eigen::Vector2d rate = row * velocity;
+  return motion.turning.isZero(0) ? rate : rate + t * row * motion.acceleration(r.target(), x);
 }
 
 Eigen::Vector2d to_file(const Rectification& r, const ImageCorrection& correction, const ImageMotion& motion,

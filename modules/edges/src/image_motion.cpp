@@ -20,15 +20,28 @@ Between between_cells(double position, double size, int cells) {
 
 }  // namespace
 
-Eigen::Vector2d ImageMotion::at(const Pinhole& c, const Eigen::Vector2d& x) const {
+// dX/dt / Z of the point at x.
+Eigen::Vector3d ImageMotion::rate(const Pinhole& c, const Eigen::Vector2d& x) const {
   const Between u = between_cells(c.fx * x.x() + c.cx, c.width, kColumns),
                 v = between_cells(c.fy * x.y() + c.cy, c.height, kRows);
   const Eigen::RowVector2d across(1 - u.share, u.share);
   const Eigen::Vector2d down(1 - v.share, v.share);
   const double rho = down.dot(idepth.block<2, 2>(v.cell, u.cell) * across.transpose());
   const Eigen::Vector3d ray(x.x(), x.y(), 1.0);
-  const Eigen::Vector3d rate = rho * velocity.head<3>() + velocity.tail<3>().cross(ray);
-  return rate.head<2>() - x * rate.z();
+  return rho * velocity.head<3>() + velocity.tail<3>().cross(ray);
+}
+
+Eigen::Vector2d ImageMotion::at(const Pinhole& c, const Eigen::Vector2d& x) const {
+  const Eigen::Vector3d X = rate(c, x);
+  return X.head<2>() - x * X.z();
+}
+
+Eigen::Vector2d ImageMotion::acceleration(const Pinhole& c, const Eigen::Vector2d& x) const {
+  if (turning.isZero(0)) return Eigen::Vector2d::Zero();
+  const Eigen::Vector3d X1 = rate(c, x),
+                        X2 = turning.cross(Eigen::Vector3d(x.x(), x.y(), 1.0)) + velocity.tail<3>().cross(X1);
+  // Second derivative of X_xy / Z, by Z.
+  return X2.head<2>() - 2 * (X1.head<2>() - x * X1.z()) * X1.z() - x * X2.z();
 }
 
 }  // namespace edgevo

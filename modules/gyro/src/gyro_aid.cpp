@@ -211,13 +211,17 @@ std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
   return found;
 }
 
-std::optional<Eigen::Vector3d> GyroAid::rate_of_points(Timestamp time) const {
+std::optional<RateOfPoints> GyroAid::rate_of_points(Timestamp time, double readout_s) const {
   if (!is_used() || filter_->is_broken()) return std::nullopt;
   const GyroModel& model = filter_->model();
-  const double t = gyro_.seconds(time);
-  const auto rate = gyro_.rate(t + model.offset_at(t), model.errors);
+  const double camera = gyro_.seconds(time), t = camera + model.offset_at(camera);
+  const auto rate = gyro_.rate(t, model.errors);
   if (!rate) return std::nullopt;
-  return Eigen::Vector3d(-(model.R_cam_gyro * *rate));
+  RateOfPoints points{-(model.R_cam_gyro * *rate)};
+  const auto first = gyro_.rate(t - 0.5 * readout_s, model.errors),
+             last = gyro_.rate(t + 0.5 * readout_s, model.errors);
+  if (readout_s > 0 && first && last) points.turning = -(model.R_cam_gyro * (*last - *first)) / readout_s;
+  return points;
 }
 
 std::vector<std::string> GyroAid::take_reports() { return std::exchange(reports_, {}); }

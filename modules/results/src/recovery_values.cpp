@@ -227,6 +227,7 @@ void visit_move(Visit& v, Move& m) {
   v.plain(m.id), v.pose(m.T_cam_newest), v.plain(m.scale_ratio);
   v.list(m.points, [&](auto& p) { visit_numbers(v, p.px), v.plain(p.idepth); });
   visit_numbers(v, m.motion.velocity), visit_numbers(v, m.motion.idepth);
+  visit_numbers(v, m.motion.turning);
 }
 
 // ---- the events ----

@@ -183,7 +183,7 @@ void measure_pose(const TrackingTask& task, const PoseCandidate& chosen, const S
 
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
                             const SE3& T_cur_ref, const Vector6d& twist) {
-  if (rows.expected.is_known()) return {twist, rows.expected.idepth};
+  if (rows.expected.is_known()) return {twist, rows.expected.idepth, rows.expected.turning};
   return image_motion(pinhole, reference.cloud, T_cur_ref, twist, reference.median_idepth);
 }
 

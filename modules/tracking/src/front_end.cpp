@@ -54,8 +54,11 @@ void FrontEnd::begin_frame(Timestamp time) {
   motion_.begin_frame(time);
   begun_ = time;
   std::optional<KnownRotation> known;
-  if (const std::optional<CameraTurn> turn = gyro_.turn(pose_time_, time))
-    known = {rotation_vector(turn->R), gyro_.rate_of_points(time).value_or(Eigen::Vector3d::Zero())};
+  if (const std::optional<CameraTurn> turn = gyro_.turn(pose_time_, time)) {
+    const RateOfPoints points =
+        gyro_.rate_of_points(time, builder_.correction().readout_s).value_or(RateOfPoints());
+    known = {rotation_vector(turn->R), points.rate, points.turning};
+  }
   motion_.know_rotation(known);
 }
 
@@ -100,12 +103,14 @@ ArrivedFrame FrontEnd::find_edges(const Frame& frame, bool has_pose, const Image
   return {frame, newest_pyramid_, rows, std::move(still), masks_.may_show_ego_part()};
 }
 
-// The motion for which the rows of the next image are rectified: constant velocity.
+// The motion for which the rows of the next image are rectified: constant velocity, and turns as the gyro.
 ImageMotion FrontEnd::expected_motion(bool has_pose) const {
   const std::optional<Vector6d> twist = motion_.expected_twist();
   if (builder_.correction().readout_s == 0 || !has_pose || !twist) return {};
-  return image_motion(builder_.pinhole(), reference_->cloud, motion_.predict(), *twist,
-                      reference_->median_idepth);
+  ImageMotion expected = image_motion(builder_.pinhole(), reference_->cloud, motion_.predict(), *twist,
+                                      reference_->median_idepth);
+  expected.turning = motion_.turning();
+  return expected;
 }
 
 Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {

@@ -89,6 +89,40 @@ TEST(ImageCorrection, EachRowShowsAPointAtItsOwnTime) {
   EXPECT_NEAR(shutter_row(kCamera, kCamera.ray({100, 479}).head<2>()), 0.5, 1e-12);
 }
 
+// With a rate of rotation that changes: the position at each row's time, of motion integrated step by step.
+TEST(ImageCorrection, ARateThatChangesMovesThePointsByItsSquare) {
+  const double idepth = 0.7, readout_s = 0.03;
+  ImageMotion m = motion_at(idepth);
+  m.turning << 20, -30, 25;
+  double error = 0, without = 0;
+  for (const Eigen::Vector2d& x : points()) {
+    const Eigen::Vector2d shown = add_rolling(kCamera, readout_s, m, x);
+    const double t = readout_s * shutter_row(kCamera, shown);
+    Eigen::Vector3d X = x.homogeneous() / idepth;
+    const int steps = 200;
+    for (int i = 0; i < steps; ++i) {
+      Vector6d twist = m.velocity;
+      twist.tail<3>() += (i + 0.5) / steps * t * m.turning;
+      X = SE3::exp(t / steps * twist) * X;
+    }
+    error += (shown - X.hnormalized()).norm();
+    without += (add_rolling(kCamera, readout_s, motion_at(idepth), x) - X.hnormalized()).norm();
+  }
+  EXPECT_LT(error, 0.1 * without);
+  EXPECT_GT(without / double(points().size()) * kCamera.fx, 0.2);  // pixels
+}
+
+TEST(ImageMotion, TheAccelerationIsThatOfProjectedPoints) {
+  const double idepth = 0.7, step = 1e-3;
+  ImageMotion m = motion_at(idepth);
+  m.turning.setConstant(1e-12);  // known, and nothing
+  for (const Eigen::Vector2d& x : points()) {
+    const Eigen::Vector2d second =
+        (later(m, idepth, x, step) - 2 * x + later(m, idepth, x, -step)) / (step * step);
+    EXPECT_LT((m.acceleration(kCamera, x) - second).norm(), 1e-5);
+  }
+}
+
 // The row that counts is that of the raw pixel at which the moved point appears, whatever lens and whatever
 // pinhole the images are rectified to.
 TEST(ImageCorrection, TheRowIsThatOfTheRawPixel) {
@@ -122,11 +156,13 @@ TEST(ImageCorrection, ACorrectedFocalLengthIsThatOfTheTrueCamera) {
 }
 
 TEST(ImageCorrection, TheRateByTheReadOutTimeIsItsDerivative) {
+  ImageMotion m = motion_at(0.6);
+  m.turning << 20, -30, 25;
   for (const Eigen::Vector2d& x : points()) {
     const auto shown = [&](const Eigen::Matrix<double, 1, 1>& d) -> Eigen::Vector2d {
-      return add_rolling(kCamera, 0.03 + d[0], motion_at(0.6), x);
+      return add_rolling(kCamera, 0.03 + d[0], m, x);
     };
-    EXPECT_THAT(rolling_rate(kCamera, 0.03, motion_at(0.6), x),
+    EXPECT_THAT(rolling_rate(kCamera, 0.03, m, x),
                 test::JacobianNear(test::numerical_jacobian<1>(shown), 1e-8));
   }
 }

@@ -72,6 +72,28 @@ TEST(GyroAid, CovariancesOfTurnsAreThoseOfTheirErrors) {
   EXPECT_GT(squares / count, 3.0 / 6);
 }
 
+// What rows of an image are rectified with: R(t + s) R(t)^T is nearly exp(s rate + s^2 / 2 turning).
+TEST(GyroAid, PointsTurnAsItsRatesAndTheirChangeSay) {
+  Placed b;
+  b.seconds = 12;
+  const SimulatedGyro gyro = gyro_of(b);
+  const double half = 0.015;
+  double squares = 0, squares_by_rate = 0;
+  follow(b, gyro, [&](double t, const GyroAid& now) {
+    const auto points = now.rate_of_points(Timestamp::from_seconds(t), 2 * half);
+    if (t < 8 || !points) return;
+    for (const double s : {-half, half}) {
+      const Eigen::Quaterniond truth =
+          hand_at(t + s, false).rotation().conjugate() * hand_at(t, false).rotation();
+      const Eigen::Vector3d by_rate = s * points->rate, by_both = by_rate + 0.5 * s * s * points->turning;
+      squares += rotation_vector(rotation_of(by_both) * truth.conjugate()).squaredNorm();
+      squares_by_rate += rotation_vector(rotation_of(by_rate) * truth.conjugate()).squaredNorm();
+    }
+  });
+  ASSERT_GT(squares, 0);
+  EXPECT_LT(squares, 0.25 * squares_by_rate);
+}
+
 TEST(GyroAid, DegreesAreFoundAndConverted) {
   Placed b;
   b.change = [](size_t, GyroSample* s) { s->rate /= rad(1); };

@@ -68,6 +68,7 @@ TEST_F(RecoveryLogs, RestoresAMoveOfTheMap) {
   MapMoved event{MoveReason::kCamera, 1, kPose, {}, LensChange{{0.01, 0}, {0.02, 0.03}}, BaPrior()};
   KeyframeMove move{4, kPose.inverse(), 1.1, {{{1.5, 2.5}, 0.7}}, {}};
   move.motion.velocity.setConstant(0.25);
+  move.motion.turning.setConstant(-3);
   move.motion.idepth.setConstant(0.5);
   event.keyframes = {move, {6, SE3(), 0.9, {}, {}}};
   const auto back = there_and_back(event);
@@ -85,6 +86,7 @@ TEST_F(RecoveryLogs, RestoresAMoveOfTheMap) {
   EXPECT_EQ(back.keyframes[0].points[0].px, Eigen::Vector2d(1.5, 2.5));
   EXPECT_EQ(back.keyframes[0].points[0].idepth, 0.7);
   EXPECT_EQ(back.keyframes[0].motion.velocity, move.motion.velocity);
+  EXPECT_EQ(back.keyframes[0].motion.turning, move.motion.turning);
   EXPECT_EQ(back.keyframes[0].motion.idepth, move.motion.idepth);
   EXPECT_TRUE(back.keyframes[1].points.empty());
   EXPECT_FALSE(there_and_back(MapMoved()).lens);

@@ -41,13 +41,14 @@ TEST(MotionModel, AKnownRotationTakesThePlaceOfTheExtrapolatedOne) {
   MotionModel m = after_steps(3);
   const SE3 last = m.T_last_ref();
   for (const double t : {0.4, 0.5}) m.begin_frame(seconds(t));
-  m.know_rotation(KnownRotation{{0.3, 0, 0}, {0, 0, 1}});
+  m.know_rotation(KnownRotation{{0.3, 0, 0}, {0, 0, 1}, {5, 0, 0}});
   Vector6d expected = 2 * kFrameMotion.log();
   expected.tail<3>() << 0.3, 0, 0;
   EXPECT_LT(difference(m.predict(), SE3::exp(expected) * last), 1e-12);
   EXPECT_LT(difference(m.starts().front(), m.predict()), 1e-12);
   EXPECT_LT(difference(m.starts().back(), kFrameMotion * kFrameMotion * last), 1e-12);
   EXPECT_EQ(m.expected_twist()->tail<3>(), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(m.turning(), Eigen::Vector3d(5, 0, 0));
   m.know_rotation(std::nullopt);
   EXPECT_LT(difference(m.predict(), kFrameMotion * kFrameMotion * last), 1e-12);
 }

@@ -4,7 +4,8 @@
 //   1. another focal length, and a residual radial distortion k1 (core/radial.h),
 //   2. a rolling shutter: row v is exposed readout_s (v / (height - 1) - 1/2) seconds after the middle row,
 //      whose time is that of the frame. An image point x that moves with dx/dt (image_motion.h) appears at
-//          x + readout_s row dx/dt,   row = v / (height - 1) - 1/2.
+//          x + t dx/dt + t^2 / 2 d2x/dt2,   t = readout_s row,   row = v / (height - 1) - 1/2,
+//      where the second term is known with a gyro only.
 // Together: x_file = (1 + focal) add_radial(k1, x + readout_s row dx/dt), normalised coordinates. The row v
 // is that of the raw pixel at which the moved point appears; on the way there rows are taken as evenly
 // spaced, which together with the neglected k1 costs a per cent of a shift of a few pixels, and so do the

@@ -8,6 +8,10 @@
 // rho is a coarse map of the depths in view and need not be exact for each edge point: at 0.3 m/s, 1 m from
 // the camera and 520 px of focal length, an error of a third causes 50 px/s, a quarter of a pixel halfway to
 // the border for a read-out time of 0.02 s.
+//
+// Over a read-out in which the rate of rotation changes, a point moves by t dx/dt + t^2 / 2 d2x/dt2, with
+// d2X/dt2 = dw/dt x X + w x dX/dt. A hand that shakes twice a second by 0.2 rad changes it by 30 rad/s^2:
+// 1.5 px at the ends of a read-out of 0.03 s.
 #include <Eigen/Core>
 
 #include "edgevo/core/camera.h"
@@ -24,11 +28,18 @@ struct ImageMotion {
   Vector6d velocity = Vector6d::Zero();
   /// Inverse depth at the centres of the cells.
   Eigen::Matrix<double, kRows, kColumns> idepth = Eigen::Matrix<double, kRows, kColumns>::Zero();
+  /// Change dw/dt of the rate of rotation, rad/s^2; 0 if unknown: only a gyro shows it.
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();
 
   /// Whether the velocity is known (not zero).
   bool is_known() const { return !velocity.isZero(0); }
   /// Velocity dx/dt of the normalised image point x, per second; depths are interpolated bilinearly.
   Eigen::Vector2d at(const Pinhole& pinhole, const Eigen::Vector2d& x) const;
+  /// Its acceleration d2x/dt2 where `turning` is known; else 0.
+  Eigen::Vector2d acceleration(const Pinhole& pinhole, const Eigen::Vector2d& x) const;
+
+ private:
+  Eigen::Vector3d rate(const Pinhole& pinhole, const Eigen::Vector2d& x) const;
 };
 
 }  // namespace edgevo

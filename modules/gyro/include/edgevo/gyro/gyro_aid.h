@@ -17,6 +17,14 @@
 
 namespace edgevo {
 
+/// How points turn around the camera, in its axes.
+struct RateOfPoints {
+  /// At the time, rad/s.
+  Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+  /// Its change while an image is read, rad/s^2; 0: not known.
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();
+};
+
 /// Follows a gyro. One thread at a time.
 class GyroAid {
  public:
@@ -38,8 +46,8 @@ class GyroAid {
   /// Rotation of the camera between two times; nothing while the gyro is not calibrated or is not used, or
   /// where samples are missing.
   std::optional<CameraTurn> turn(Timestamp begin, Timestamp end) const;
-  /// How fast points turn around the camera, rad/s in its axes; nothing as turn().
-  std::optional<Eigen::Vector3d> rate_of_points(Timestamp time) const;
+  /// How points turn around the camera during `readout_s` seconds around `time`; nothing as turn().
+  std::optional<RateOfPoints> rate_of_points(Timestamp time, double readout_s) const;
 
   /// The gyro next to the camera; null before it is calibrated.
   const GyroModel* model() const { return filter_ ? &filter_->model() : nullptr; }

@@ -17,6 +17,8 @@ struct KnownRotation {
   Eigen::Vector3d since_last = Eigen::Vector3d::Zero();
   /// How fast points turn around the camera while the image is taken, rad/s in its axes.
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+  /// How that changes during it, rad/s^2; 0: not known.
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();
 };
 
 /// Constant-velocity model of the camera's motion. A rotation that is known takes the place of that which is
@@ -39,6 +41,8 @@ class MotionModel {
   std::vector<SE3> starts() const;
   /// Predicted twist of points in the camera frame, per second; nothing if no time is known.
   std::optional<Vector6d> expected_twist() const;
+  /// KnownRotation::turning; 0: not known.
+  Eigen::Vector3d turning() const { return known_ ? known_->turning : Eigen::Vector3d::Zero(); }
   /// Measured twist of points in the camera frame when the image of a new pose was taken, per second. The
   /// motion since the last frame is that of half a frame ago; half of its change is added. Zero: not known.
   Vector6d twist(const SE3& T_cur_ref) const;
