@@ -215,6 +215,18 @@ TEST(SelfCalibration, FindsTheRollingShutterOfAHandHeldCamera) {
   });
 }
 
+// A walk whose turns make every frame doubtful until the read-out time is known, which is found all the same.
+TEST(SelfCalibration, FindsTheRollingShutterThatMakesTheMapDoubtful) {
+  Scene scene = load_scene("office_walk", 11);
+  scene.shutter.rolling_s = 0.03;
+  const RenderedSequence sequence = render_sequence(scene, 0, 45);
+  ClipSource source(sequence.clip);
+  const RunAccuracy figures = measure(run_source(source), sequence.truth);
+  std::cout << "[ figures  ] " << figures << std::endl;
+  EXPECT_NEAR(figures.run.camera.correction.readout_s, scene.shutter.rolling_s, 0.008);
+  EXPECT_EQ(figures.completion, 1);
+}
+
 // A walk that begins in a turn of 7 degrees a frame: the rows of each view of the first map are skewed in
 // their own way. With the skews the local scale falls to a sixth and rises to twice its value within twelve
 // frames.

@@ -374,7 +374,7 @@ void Mapper::publish(const Keyframe& keyframe) {
 void Mapper::close() {
   corrected_images_->finish();
   if (calibration_.is_focal_length_due(*map_)) calibrate(true);
-  if (!window_.keyframes().empty() && !window_.newest().is_doubtful) calibrate(true);
+  if (!window_.keyframes().empty()) calibrate(true);
   corrected_images_->clear();
   keyframes_prepared_ = 0;
   calibration_.cancel();

@@ -13,14 +13,8 @@ namespace edgevo {
 
 // ---- self-calibration, and other moves ----
 
-// Matches of a map in doubt show nothing of the camera; corners do.
-bool Mapper::must_wait_to_calibrate() const {
-  return window_.newest().is_doubtful && !calibration_.is_focal_length_due(*map_);
-}
-
 // Due at a few checkpoints only.
 void Mapper::calibrate_if_due(StageTimes* times) {
-  if (must_wait_to_calibrate()) return;
   if (!calibration_.is_running() && !calibration_.is_due(*map_)) return;
   const StageTimer timer(Stage::kSelfCalibration, times);
   calibrate_during_run();
@@ -60,7 +54,7 @@ void Mapper::calibrate_concurrently() {
 // Between two keyframes all images can be there, as that of a keyframe that has just come cannot. So the
 // correction is not added to the work for a keyframe either.
 void Mapper::correct_between_keyframes(StageTimes* times) {
-  if (!options_.own_threads || !calibration_.is_ready() || must_wait_to_calibrate()) return;
+  if (!options_.own_threads || !calibration_.is_ready()) return;
   const std::optional<ImageCorrection> correction = calibration_.correction_found();
   if (!correction) return;
   const StageTimer timer(Stage::kSelfCalibration, times);

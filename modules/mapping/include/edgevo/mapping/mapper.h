@@ -189,7 +189,6 @@ class Mapper {
   void remove_oldest(StageTimes* times);
   void map_edges(StageTimes* times);
   void show_edges(const TrackedFrame& frame, StageTimes* times);
-  bool must_wait_to_calibrate() const;
   void calibrate_if_due(StageTimes* times);
   void move_if_proposed();
   void seed_and_publish(StageTimes* times);
