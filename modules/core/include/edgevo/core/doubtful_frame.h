@@ -11,9 +11,10 @@ namespace edgevo {
 inline constexpr double kDoubtfulBelow = 0.7076;
 
 /// Whether the motion around the frame is not to be trusted: p_right is known and below kDoubtfulBelow, or
-/// the frame is LOST.
+/// the frame is LOST, or DEGRADED for too few edges that agree with its pose.
 inline bool is_doubtful(const FrameRecord& frame) {
-  return frame.state == TrackingState::kLost || frame.p_right < kDoubtfulBelow;  // false for NaN
+  return frame.state == TrackingState::kLost || frame.state == TrackingState::kDegraded ||
+         frame.p_right < kDoubtfulBelow;  // false for NaN
 }
 
 }  // namespace edgevo
