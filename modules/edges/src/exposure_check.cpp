@@ -31,15 +31,45 @@ int64_t difference(const uint8_t* a, const uint8_t* b, int width) {
   return sum;
 }
 
-// In a view, rows next to each other are more alike than rows two apart; where every second one is of another
-// time they are less.
-bool is_combed(const View& image) {
-  int64_t next = 0, second = 0;
-  for (int y = 2; y < image.height; ++y) {
-    next += difference(image.row(y - 1), image.row(y - 2), image.width);
-    second += difference(image.row(y), image.row(y - 2), image.width);
+// By how much rows next to each other differ more than rows two apart. In a view they differ less; noise
+// alone makes no difference, within the scatter of the rows.
+class Alternation {
+ public:
+  void add(int64_t next, int64_t second) {
+    const double more = double(next - second);
+    sum_ += more, squares_ += more * more;
   }
-  return next > second;
+  // Beyond what noise gives in two images of a run that follow each other.
+  bool is_certain() const {
+    constexpr double kSigmas = 3;
+    return sum_ > 0 && sum_ * sum_ > kSigmas * kSigmas * squares_;
+  }
+
+ private:
+  double sum_ = 0, squares_ = 0;
+};
+
+bool do_rows_alternate(const View& image) {
+  Alternation rows;
+  for (int y = 2; y < image.height; ++y)
+    rows.add(difference(image.row(y - 1), image.row(y - 2), image.width),
+             difference(image.row(y), image.row(y - 2), image.width));
+  return rows.is_certain();
+}
+
+bool do_columns_alternate(const View& image) {
+  Alternation columns;
+  for (int y = 0; y < image.height; ++y) {
+    const uint8_t* row = image.row(y);
+    columns.add(difference(row + 1, row, image.width - 2), difference(row + 2, row, image.width - 2));
+  }
+  return columns.is_certain();
+}
+
+// Every second row is of another time, or every second pixel of another colour.
+ImageFault pattern_of(const View& image) {
+  if (image.width < 3 || !do_rows_alternate(image)) return ImageFault::kNone;
+  return do_columns_alternate(image) ? ImageFault::kMosaic : ImageFault::kInterlaced;
 }
 
 int64_t texture_of(const View& image, const ImageRows& rows) {
@@ -97,10 +127,10 @@ ImageExposure ExposureCheck::add(const GrayImage& image) {
   before_ = image.pixels;
   if (old.size() == image.height) return {ImageFault::kRepeated, {}};
   if (!old.empty()) return {ImageFault::kTorn, old};
-  const bool combed = is_combed(view);
-  is_interlaced_ = is_interlaced_ || (combed && was_combed_);
-  was_combed_ = combed;
-  return {combed || is_interlaced_ ? ImageFault::kInterlaced : ImageFault::kNone, {}};
+  const ImageFault found = pattern_of(view);
+  if (found == newest_pattern_ && found != ImageFault::kNone) pattern_ = found;
+  newest_pattern_ = found;
+  return {found == ImageFault::kNone ? pattern_ : found, {}};
 }
 
 GrayImage first_field(const GrayImage& image) {
@@ -116,6 +146,27 @@ GrayImage first_field(const GrayImage& image) {
   mean_of_rows(field.pixels.data());
   if (field.is_deep()) mean_of_rows(field.values.data());
   return field;
+}
+
+GrayImage without_mosaic(const GrayImage& image) {
+  GrayImage gray = image;
+  // Weights 1, 2, 1 down and across: all four places of the mosaic count alike everywhere.
+  const auto smooth = [&](const auto* from, auto* to) {
+    const int w = image.width, h = image.height;
+    const auto at = [&](int x, int y) {
+      const int u = x < 0 ? 1 : x >= w ? w - 2 : x, v = y < 0 ? 1 : y >= h ? h - 2 : y;
+      return int(from[v * w + u]);
+    };
+    const auto across = [&](int x, int y) { return at(x - 1, y) + 2 * at(x, y) + at(x + 1, y); };
+    for (int y = 0; y < h; ++y)
+      for (int x = 0; x < w; ++x)
+        to[y * w + x] =
+            std::decay_t<decltype(*to)>((across(x, y - 1) + 2 * across(x, y) + across(x, y + 1) + 8) / 16);
+  };
+  if (image.width < 2 || image.height < 2) return gray;
+  smooth(image.pixels.data(), gray.pixels.data());
+  if (image.is_deep()) smooth(image.values.data(), gray.values.data());
+  return gray;
 }
 
 }  // namespace edgevo

@@ -31,12 +31,14 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   if (const char* why = why_unused(exposure.fault, state.has_pose()))
     return pass_over(frame, why, exposure.fault);
   order = next;
-  if (exposure.fault != ImageFault::kInterlaced) return use(frame, exposure);
-  if (!std::exchange(is_interlaced, true))
-    report(frame, "the image is interlaced: every second row of it is used");
-  Frame field = frame;
-  field.image = first_field(frame.image);
-  return use(field, exposure);
+  const bool is_mosaic = exposure.fault == ImageFault::kMosaic;
+  if (!is_mosaic && exposure.fault != ImageFault::kInterlaced) return use(frame, exposure);
+  if (!std::exchange(is_patterned, true))
+    report(frame, is_mosaic ? "the image is a mosaic of colours: it is smoothed to gray"
+                            : "the image is interlaced: every second row of it is used");
+  Frame usable = frame;
+  usable.image = is_mosaic ? without_mosaic(frame.image) : first_field(frame.image);
+  return use(usable, exposure);
 }
 
 // A servo sees at once that there is no pose.

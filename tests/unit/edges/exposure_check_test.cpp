@@ -86,10 +86,44 @@ TEST(ExposureCheck, InterlacedImagesAreFoundAndOneFieldIsLeft) {
     copy_rows(view(6 * i - 3), 1, kHeight, 2, &last);
     EXPECT_EQ(check.add(last).fault, ImageFault::kInterlaced) << i;
   }
-  EXPECT_TRUE(check.is_interlaced());
+  EXPECT_EQ(check.pattern(), ImageFault::kInterlaced);
   const GrayImage field = first_field(last), whole = view(12);
   EXPECT_TRUE(std::equal(field.pixels.begin(), field.pixels.begin() + kWidth, whole.pixels.begin()));
   EXPECT_EQ(field.pixels[kWidth], whole.pixels[0]) << "rows 0 and 2 are alike";
+}
+
+TEST(ExposureCheck, AMosaicOfColoursIsNotInterlacedAndSmoothedToGray) {
+  ExposureCheck check;
+  GrayImage mosaic;
+  for (int i = 0; i < 3; ++i) {
+    mosaic = view(3 * i);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x) {
+        const int colour = y % 2 + x % 2;  // R G; G B
+        uint8_t& value = mosaic.pixels[size_t(y * kWidth + x)];
+        value = uint8_t(colour == 0 ? value / 2 : colour == 1 ? value : value / 4);
+      }
+    EXPECT_EQ(check.add(mosaic).fault, ImageFault::kMosaic) << i;
+  }
+  const GrayImage gray = without_mosaic(mosaic), even_mosaic = [] {
+    GrayImage image = even(100);
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = y % 2; x < kWidth; x += 2) image.pixels[size_t(y * kWidth + x)] = 50;
+    return image;
+  }();
+  EXPECT_EQ(ExposureCheck().add(gray).fault, ImageFault::kNone);
+  const GrayImage flat = without_mosaic(even_mosaic);
+  EXPECT_EQ(flat.pixels, even(75).pixels);
+}
+
+TEST(ExposureCheck, TheNoiseOfABareWallIsNotInterlaced) {
+  Random random(1);
+  ExposureCheck check;
+  for (int i = 0; i < 200; ++i) {
+    GrayImage wall = even(120);
+    for (uint8_t& value : wall.pixels) value = uint8_t(std::lround(value + 2 * random.normal()));
+    EXPECT_EQ(check.add(wall).fault, ImageFault::kNone) << i;
+  }
 }
 
 }  // namespace

@@ -83,7 +83,9 @@ enum class ImageFault : uint8_t {
   /// A part is of the image before.
   kTorn,
   /// Every second row is of another time.
-  kInterlaced
+  kInterlaced,
+  /// Every second pixel and row is of another colour: a raw Bayer mosaic.
+  kMosaic
 };
 
 /// Evidence on one frame.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Is an image one exposure? Drivers hand out buffers that are still being written, so that a part is of the
-// image before; video is interlaced; images are repeated or black. Whatever follows takes all rows of an
-// image for one time.
+// image before; video is interlaced; a mosaic of colours was taken for gray; images are repeated or black.
+// Whatever follows takes all rows of an image for one time.
 #include <vector>
 
 #include "edgevo/core/frame_evidence.h"
@@ -35,8 +35,8 @@ class ExposureCheck {
   /// Adds the next image. Only the first of several that are blank or repeated in a row is a fault: then
   /// something hides the view, or the camera stands. Cost: about 0.3 ms at 1241x376.
   ImageExposure add(const GrayImage& image);
-  /// Whether the stream is interlaced: two images in a row were.
-  bool is_interlaced() const { return is_interlaced_; }
+  /// kInterlaced or kMosaic if the stream is: two images in a row were; else kNone.
+  ImageFault pattern() const { return pattern_; }
 
  private:
   bool is_blank(const GrayImage& image);
@@ -45,10 +45,14 @@ class ExposureCheck {
   std::vector<uint8_t> before_;     // pixels of the image before
   std::vector<bool> equal_before_;  // its rows that were those of the image before it; empty: not compared
   double contrast_ = 0;             // of the last image that is not blank, steps of its values
-  bool was_blank_ = false, was_combed_ = false, is_interlaced_ = false;
+  bool was_blank_ = false;
+  ImageFault newest_pattern_ = ImageFault::kNone, pattern_ = ImageFault::kNone;
 };
 
 /// The image with every second row, from the second one on, replaced by the mean of its neighbours.
 GrayImage first_field(const GrayImage& image);
+
+/// The gray image of a mosaic of colours, of which every second pixel and row is of another one (Bayer).
+GrayImage without_mosaic(const GrayImage& image);
 
 }  // namespace edgevo
