@@ -48,7 +48,7 @@ void add_source_options(CLI::App& command, SourceOptions* options) {
       ->required();
   CLI::Option* camera = command.add_option(
       "--camera", options->camera_file,
-      "calibration: `fx fy cx cy k1 k2 p1 p2 width height [k3]`, or a file of ROS, "
+      "calibration: 'fx fy cx cy k1 k2 p1 p2 width height [k3]', or a file of these numbers, of ROS, "
       "OpenCV, Kalibr, ORB-SLAM, Basalt, COLMAP (or its folder), DSO, MRPT, ViSP; `run` also takes auto: "
       "found from the motion");
   command

@@ -56,6 +56,16 @@ NamedCameras cameras_of_text(const std::string& text, const std::string& where) 
   return {{"camera", [=] { return camera_of_yaml_documents(documents, where); }}};
 }
 
+// The numbers of a camera themselves, in place of a file of them.
+bool is_of_numbers(const std::string& text) {
+  return text.find(' ') != std::string::npos &&
+         text.find_first_not_of("0123456789+-.eE \t") == std::string::npos;
+}
+
+std::string text_of(const std::string& path_or_numbers) {
+  return is_of_numbers(path_or_numbers) ? path_or_numbers : read_text_file(path_or_numbers);
+}
+
 // A folder is one of COLMAP: the reconstruction, or what it lies in. The database has its initial guess
 // alone.
 std::string file_in(const std::string& path) {
@@ -73,7 +83,7 @@ std::string file_in(const std::string& path) {
 NamedCameras cameras_of_file(const std::string& path_or_folder) {
   const std::string path = file_in(path_or_folder);
   if (is_sqlite_file(path)) return colmap_database_cameras(path);
-  return cameras_of_text(read_text_file(path), path);
+  return cameras_of_text(text_of(path), path);
 }
 
 Camera with_size(const CameraText& text, const std::string& where) {
@@ -113,13 +123,13 @@ Camera read_camera_file(const std::string& path, const std::string& sensor) {
 std::optional<CameraMount> read_camera_mount(const std::string& path) {
   const std::string file = file_in(path);
   if (is_sqlite_file(file)) return std::nullopt;
-  const std::string text = read_text_file(file);
+  const std::string text = text_of(file);
   return !dialect_of(text) && is_yaml(text, file) ? parse_yaml_mount(text, file) : std::nullopt;
 }
 
 std::optional<GyroModel> read_camera_gyro(const std::string& path) {
   if (is_sqlite_file(path)) return std::nullopt;
-  const std::string text = read_text_file(path);
+  const std::string text = text_of(path);
   return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_gyro(text, path) : std::nullopt;
 }
 

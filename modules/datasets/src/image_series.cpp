@@ -21,7 +21,7 @@ using Names = std::vector<std::string>;
 /// The names of each pattern.
 using Series = std::map<std::string, Names>;
 
-// With more patterns than these the names are no numbered series: words, or hexadecimal digits.
+// With more patterns than these the names are no decimal series: words, or hexadecimal digits.
 constexpr size_t kMaxSeries = 8;
 // Other names than those of the series are a few odd files up to this share.
 constexpr double kOddShare = 0.05;
@@ -182,7 +182,43 @@ std::string largest(const Series& series) {
       ->first;
 }
 
-// Names that count nothing: a few words, or hexadecimal digits.
+// Length of what all names begin with, up to a digit.
+size_t common_beginning(const Names& names) {
+  size_t length = names.front().size();
+  for (const std::string& name : names) {
+    const auto end = names.front().begin() + long(std::min(length, name.size()));
+    length = size_t(std::mismatch(names.front().begin(), end, name.begin()).first - names.front().begin());
+  }
+  while (length > 0 && is_digit(names.front()[length - 1])) --length;
+  return length;
+}
+
+// The names in the order of the hexadecimal number in which alone they differ; empty if there is none that
+// counts images: words such as "face" are numbers far from each other.
+Names by_hexadecimal_number(const Names& names) {
+  constexpr size_t kMaxDigits = 15;
+  constexpr uint64_t kApart = 4;  // mean difference of numbers that count: every fourth image is there
+  const size_t begin = common_beginning(names);
+  std::map<uint64_t, std::string> by_number;
+  std::set<std::string> ends;
+  bool has_digits = false;
+  for (const std::string& name : names) {
+    size_t end = begin;
+    while (end < name.size() && std::isxdigit(static_cast<unsigned char>(name[end]))) ++end;
+    if (end == begin || end - begin > kMaxDigits) return {};
+    by_number[std::stoull(name.substr(begin, end - begin), nullptr, 16)] = name;
+    ends.insert(name.substr(end));
+    has_digits |= std::any_of(name.begin() + long(begin), name.begin() + long(end), is_digit);
+  }
+  const bool counts =
+      by_number.rbegin()->first - by_number.begin()->first <= kApart * uint64_t(by_number.size());
+  if (!has_digits || ends.size() > 1 || by_number.size() < names.size() || !counts) return {};
+  Names sorted;
+  for (const auto& [number, name] : by_number) sorted.push_back(name);
+  return sorted;
+}
+
+// Names that count nothing in decimal digits: a few words, or hexadecimal digits.
 bool has_no_series(const Series& series) {
   return series.size() > kMaxSeries || series.at(largest(series)).size() < kSmallestSeries;
 }
@@ -194,9 +230,16 @@ Names only_series(const Names& all, const std::string& folder, bool any, Decisio
   const auto decide = [&](const InputDecision& decision) {
     if (decisions) decisions->push_back(decision);
   };
+  if (Names sorted = has_no_series(series) ? by_hexadecimal_number(all) : Names(); !sorted.empty()) {
+    decide({"order", "all " + std::to_string(all.size()) + " images by their hexadecimal numbers",
+            "as they count the images", ""});
+    return sorted;
+  }
   if (has_no_series(series)) {
-    decide({"order", "all " + std::to_string(all.size()) + " images by their names",
-            "the names are not of one pattern", ""});
+    decide(
+        {"order", "all " + std::to_string(all.size()) + " images by their names",
+         "the names are not of one pattern",
+         any ? "" : "an order that is not that of time mixes up the path; number the images, or list them"});
     return all;
   }
   if (const std::string images = only_images(series); !images.empty()) {

@@ -32,6 +32,13 @@ TEST(CameraFile, NumbersWithAndWithoutK3) {
                 {0.1, -0.2, 1e-3, 2e-3, 0.5});
 }
 
+TEST(CameraFile, NumbersInPlaceOfAFile) {
+  expect_camera(read_camera_file("517.3 516.5 318.6 255.3 0.1 -0.2 1e-3 2e-3 640 480"),
+                {517.3, 516.5, 318.6, 255.3, 640, 480}, {0.1, -0.2, 1e-3, 2e-3, 0});
+  EXPECT_FALSE(read_camera_mount("517.3 516.5 318.6 255.3 0 0 0 0 640 480"));
+  EXPECT_FALSE(read_camera_gyro("517.3 516.5 318.6 255.3 0 0 0 0 640 480"));
+}
+
 TEST(CameraFile, RosCameraInfo) {
   expect_camera(parse_camera(R"(image_width: 640
 image_height: 480

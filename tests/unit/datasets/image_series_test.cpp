@@ -47,6 +47,29 @@ TEST_F(ImageSeries, NamesThatDifferInTheirNumbersAreOne) {
   EXPECT_TRUE(decisions_.empty());
 }
 
+TEST_F(ImageSeries, HexadecimalNumbersAreCounted) {
+  for (int i = 0; i < 200; ++i) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%x.png", i);
+    test::write_text(folder_ / name, "");
+  }
+  const std::vector<std::string> found = names();
+  ASSERT_EQ(found.size(), 200u);
+  EXPECT_EQ(found[10], "frame_a.png");
+  EXPECT_EQ(found[16], "frame_10.png");
+  EXPECT_EQ(found.back(), "frame_c7.png");
+  ASSERT_EQ(decisions_.size(), 1u);
+  EXPECT_THAT(decisions_[0].value, HasSubstr("hexadecimal"));
+}
+
+TEST_F(ImageSeries, WordsOfHexadecimalLettersAreNoNumbers) {
+  for (const char* word : {"bad", "face", "cafe", "dead", "beef", "fade", "add", "ace", "bee"})
+    test::write_text(folder_ / (std::string(word) + ".png"), "");
+  EXPECT_EQ(names().front(), "ace.png");
+  EXPECT_THAT(decisions_.at(0).reason, HasSubstr("not of one pattern"));
+  EXPECT_THAT(decisions_.at(0).doubt, HasSubstr("mixes up the path"));
+}
+
 TEST_F(ImageSeries, TwoCamerasAreRefusedUntilOneIsChosen) {
   add("#_left.png", 4);
   add("#_right.png", 4);
