@@ -103,30 +103,37 @@ bool ExposureCheck::is_blank(const GrayImage& image) {
   return false;
 }
 
-ImageRows ExposureCheck::old_rows(const View& image) {
+// Rows that were equal in the comparison before this one as well are fixed to the camera, or it stands.
+ImageRows ExposureCheck::rows_of(Earlier* earlier, const View& image) {
   constexpr double kShare = 0.02;  // of the texture: fewer rows do no harm, as a sky that is white
+  if (earlier->pixels.empty()) return {};
   std::vector<bool> equal(size_t(image.height), false);
-  if (!before_.empty())
-    for (int y = 0; y < image.height; ++y)
-      equal[size_t(y)] =
-          std::equal(image.row(y), image.row(y) + image.width, &before_[size_t(y * image.width)]);
+  for (int y = 0; y < image.height; ++y)
+    equal[size_t(y)] =
+        std::equal(image.row(y), image.row(y) + image.width, &earlier->pixels[size_t(y * image.width)]);
   ImageRows old = end_of_equal(equal);
-  const bool is_new = !equal_before_.empty() && !any_of(equal_before_, old);
+  const bool is_new = !earlier->equal.empty() && !any_of(earlier->equal, old);
   const ImageRows all{0, image.height};
   if (!is_new || double(texture_of(image, old)) < kShare * double(texture_of(image, all))) old = {};
-  equal_before_ = before_.empty() ? std::vector<bool>() : std::move(equal);
+  earlier->equal = std::move(equal);
   return old;
+}
+
+void ExposureCheck::keep(const std::vector<uint8_t>& pixels) {
+  before_[1].pixels.swap(before_[0].pixels);
+  before_[0].pixels = pixels;
 }
 
 ImageExposure ExposureCheck::add(const GrayImage& image) {
   const View view = image.view();
-  if (before_.size() != image.pixels.size()) before_.clear(), equal_before_.clear();
+  if (before_[0].pixels.size() != image.pixels.size()) before_ = {};
   if (is_blank(image)) return {std::exchange(was_blank_, true) ? ImageFault::kNone : ImageFault::kBlank, {}};
   was_blank_ = false;
-  const ImageRows old = old_rows(view);
-  before_ = image.pixels;
-  if (old.size() == image.height) return {ImageFault::kRepeated, {}};
-  if (!old.empty()) return {ImageFault::kTorn, old};
+  const ImageRows before = rows_of(&before_[0], view), before_that = rows_of(&before_[1], view);
+  keep(image.pixels);
+  if (before.size() == image.height) return {ImageFault::kRepeated, {}};
+  const ImageRows& old = before.empty() ? before_that : before;
+  if (!old.empty() && old.size() < image.height) return {ImageFault::kTorn, old};
   const ImageFault found = pattern_of(view);
   if (found == newest_pattern_ && found != ImageFault::kNone) pattern_ = found;
   newest_pattern_ = found;

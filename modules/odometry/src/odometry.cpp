@@ -149,7 +149,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose, const
   add_image(*arrived.pyramid, &arrived.record->evidence);
   arrived.record->evidence.fault = exposure.fault;
   if (arrived.pyramid->is_torn)
-    report(frame, "the image is torn: the part that is of the image before is not used");
+    report(frame, "the image is torn: the part that is of an earlier image is not used");
   arrived.record->stage_ms.emplace_back(name_of(Stage::kEdges), thread_cpu_ms() - start);
   return arrived;
 }

@@ -12,7 +12,7 @@ namespace {
 const char* why_unused(ImageFault fault, bool has_pose) {
   if (fault == ImageFault::kBlank) return "blank: the image shows noise alone";
   if (fault == ImageFault::kRepeated) return "the image before, once more";
-  if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of the image before";
+  if (fault == ImageFault::kTorn && !has_pose) return "torn: a part is of an earlier image";
   return nullptr;
 }
 

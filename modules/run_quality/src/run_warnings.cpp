@@ -44,7 +44,7 @@ std::vector<std::string> image_faults_in_words(const Run& run) {
     if (const auto n = number(fault)) lines.push_back(std::to_string(n) + of_all + what);
   };
   add(ImageFault::kTorn,
-      "torn: a part of them is of the image before, and was not used. The driver hands out buffers that are "
+      "torn: a part of them is of an earlier image, and was not used. The driver hands out buffers that are "
       "still being written.");
   add(ImageFault::kInterlaced,
       "interlaced: every second row is of another time, and was not used. De-interlace the video (ffmpeg -vf "

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Is an image one exposure? Drivers hand out buffers that are still being written, so that a part is of the
-// image before; video is interlaced; a mosaic of colours was taken for gray; images are repeated or black.
-// Whatever follows takes all rows of an image for one time.
+// image before, or of the one before that; video is interlaced; a raw mosaic of colours is taken for gray;
+// images are repeated or black. Whatever follows takes all rows of an image for one time.
+#include <array>
 #include <vector>
 
 #include "edgevo/core/frame_evidence.h"
@@ -40,11 +41,17 @@ class ExposureCheck {
 
  private:
   bool is_blank(const GrayImage& image);
-  ImageRows old_rows(const ImageView<uint8_t>& image);
+  // An earlier image; of the newest image that was compared with that of its time, the rows that were its;
+  // empty: none was.
+  struct Earlier {
+    std::vector<uint8_t> pixels;
+    std::vector<bool> equal;
+  };
+  static ImageRows rows_of(Earlier* earlier, const ImageView<uint8_t>& image);
+  void keep(const std::vector<uint8_t>& pixels);
 
-  std::vector<uint8_t> before_;     // pixels of the image before
-  std::vector<bool> equal_before_;  // its rows that were those of the image before it; empty: not compared
-  double contrast_ = 0;             // of the last image that is not blank, steps of its values
+  std::array<Earlier, 2> before_;  // the image before, and the one before that
+  double contrast_ = 0;            // of the last image that is not blank, steps of its values
   bool was_blank_ = false;
   ImageFault newest_pattern_ = ImageFault::kNone, pattern_ = ImageFault::kNone;
 };
