@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // edgevo_fit_trust RUNS.txt TABLE.h REPORT.md: fits the trust in a frame (confidence/motion_confidence.h) to runs with
 // ground truth. RUNS.txt: written by trust_corpus.py. TABLE.h: the weights, for
-// modules/confidence/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded.
+// modules/confidence/src/trust_table.h. REPORT.md: how good the fit is on cameras that it excluded, also without
+// each test.
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "edgevo/core/error.h"
@@ -55,8 +57,11 @@ std::vector<EvaluatedMotion> pooled(const Runs& runs) {
   return all;
 }
 
-FittedTrust fit_to(const Runs& runs) {
-  const std::vector<EvaluatedMotion> samples = pooled(runs);
+// A test that shows always the same gets no weight.
+FittedTrust fit_to(const Runs& runs, std::optional<ConsistencyTest> without) {
+  std::vector<EvaluatedMotion> samples = pooled(runs);
+  if (without)
+    for (EvaluatedMotion& s : samples) s.doubts[size_t(*without)] = 0;
   FittedTrust fitted;
   fitted.sum = fit_logistic(samples, kRidge, kUnseen);
   return fitted;
@@ -93,7 +98,7 @@ struct Fold {
   FittedTrust fitted;  // to the others
 };
 
-std::vector<Fold> folds_of(const std::vector<TrustRun>& runs) {
+std::vector<Fold> folds_of(const std::vector<TrustRun>& runs, std::optional<ConsistencyTest> without = {}) {
   std::set<std::string> cameras;
   for (const TrustRun& run : runs) cameras.insert(run.camera);
   std::vector<Fold> folds;
@@ -101,10 +106,40 @@ std::vector<Fold> folds_of(const std::vector<TrustRun>& runs) {
     Fold fold{camera, {}, {}};
     Runs others;
     for (const TrustRun& run : runs) (run.camera == camera ? fold.runs : others).push_back(&run);
-    fold.fitted = fit_to(others);
+    fold.fitted = fit_to(others, without);
     folds.push_back(std::move(fold));
   }
   return folds;
+}
+
+// Below which at most kFalseAlarms of the right frames of excluded cameras are.
+double bound_of(const std::vector<Fold>& folds, size_t* right_frames) {
+  std::vector<double> right;
+  for (const Fold& fold : folds)
+    for (const TrustRun* run : fold.runs) add_right(*run, fold.fitted, &right);
+  *right_frames = right.size();
+  return conformal_lower_bound(right, kFalseAlarms);
+}
+
+FrameFigures figures_by(const std::vector<Fold>& folds, double bound) {
+  std::vector<FrameEvaluation> all;
+  for (const Fold& fold : folds)
+    for (const TrustRun* run : fold.runs) all.push_back(evaluated_by(*run, fold.fitted, bound));
+  return figures_of(all);
+}
+
+// What each test is worth: fitted without it, at the same share of false alarms.
+std::string ablation_of(std::vector<TrustRun> runs) {
+  std::vector<NamedFigures> rows;
+  const auto add = [&](const std::string& name, const std::vector<Fold>& folds) {
+    size_t right = 0;
+    rows.push_back({name, figures_by(folds, bound_of(folds, &right))});
+  };
+  for (size_t k = 0; k < kConsistencyTests; ++k)
+    add(std::string("without ") + name_of(ConsistencyTest(k)), folds_of(runs, ConsistencyTest(k)));
+  for (TrustRun& run : runs) std::fill(run.p_wrong_otherwise.begin(), run.p_wrong_otherwise.end(), 0.0);
+  add("without focal length and unit", folds_of(runs));
+  return frame_figures_markdown(rows);
 }
 
 std::string report_of(const std::vector<Fold>& folds, const FittedTrust& fitted) {
@@ -139,15 +174,14 @@ int fit(const std::string& list, const std::string& table, const std::string& re
   const std::vector<Fold> folds = folds_of(runs);
   Runs all;
   for (const TrustRun& run : runs) all.push_back(&run);
-  FittedTrust fitted = fit_to(all);
-  std::vector<double> right;
-  for (const Fold& fold : folds)
-    for (const TrustRun* run : fold.runs) add_right(*run, fold.fitted, &right);
-  fitted.bound = conformal_lower_bound(right, kFalseAlarms);
+  FittedTrust fitted = fit_to(all, std::nullopt);
+  size_t right = 0;
+  fitted.bound = bound_of(folds, &right);
   write_file(table, trust_table_text(fitted, runs.size(), folds.size()));
-  write_file(report, report_of(folds, fitted));
+  write_file(report, report_of(folds, fitted) + "\nFitted without each test, cameras excluded:\n\n" +
+                         ablation_of(runs));
   std::printf("%zu runs, %zu cameras, %zu right frames; doubtful below %.4f\n", runs.size(), folds.size(),
-              right.size(), fitted.bound);
+              right, fitted.bound);
   return 0;
 }
 

@@ -35,13 +35,14 @@ std::string change_text(const Camera& before, const FoldedCamera& after) {
              after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
-std::string lens_seen(const CameraRefinement::Lens& l) {
+std::string lens_seen(const CameraRefinement& c) {
+  const CameraRefinement::Lens& l = c.lens;
   if (l.keyframes == 0) return {};
   return formatted(
-      "by the matches, with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length %+.1f "
-      "+- %.1f %%; not "
-      "in the file (edgevo calibrate --from-motion writes all of them)\n",
-      l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma);
+      "by corners and matches, with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length "
+      "%+.1f +- %.1f %%; %s not in the file (edgevo calibrate --from-motion writes all of them)\n",
+      l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma,
+      c.correction.focal == 0 ? "these are" : "k2 is");
 }
 
 // Nothing is printed of one that is in the new file.
@@ -80,11 +81,11 @@ std::string tried_lenses(const std::vector<TriedLens>& tried) {
 }  // namespace
 
 std::string finding(const CameraRefinement& c) {
-  const CameraRefinement::FocalLength& f = c.focal_length;
   if (c.correction.keeps_lens()) return finding_of_k1(c) + ": the camera stays as it was";
   if (c.correction.focal == 0) return finding_of_k1(c);
-  return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * f.sigma, 1) +
-         " % off the file's, by corners in " + std::to_string(f.windows) + " windows of views; " +
+  return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * c.lens.focal_sigma, 1) +
+         " % off the file's, by corners in " + std::to_string(c.focal_length.windows) +
+         " windows of views and the matches of " + std::to_string(c.lens.keyframes) + " keyframes; " +
          finding_of_k1(c);
 }
 
@@ -92,7 +93,7 @@ std::string run_calibration_text(const RunCalibration& run, const FoldedCamera& 
   const CameraRefinement& c = run.refinement;
   std::string text = run.path + ": " + finding(c) + "\n";
   if (!c.correction.keeps_lens()) text += change_text(run.camera, corrected);
-  text += focal_length_seen(c) + lens_seen(c.lens);
+  text += focal_length_seen(c) + lens_seen(c);
   if (c.correction.readout_s != 0)
     text += formatted(
         "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "

@@ -15,12 +15,11 @@ std::vector<std::string> describe_changes(const ImageCorrection& before, const C
     lines.push_back(line);
   }
   if (now.correction.focal != before.focal) {
-    const CameraRefinement::FocalLength& f = now.focal_length;
     std::snprintf(line, sizeof line,
                   now.correction.focal == 0
                       ? "self-calibration: focal length %.1f +- %.1f %% off the file's, which is used again"
                       : "self-calibration: focal length %.1f +- %.1f %% off the file's, corrected",
-                  100 * (now.correction.focal == 0 ? f.estimate : now.correction.focal), 100 * f.sigma);
+                  100 * now.lens.focal, 100 * now.lens.focal_sigma);
     lines.push_back(line);
   }
   if (now.correction.readout_s != before.readout_s) {

@@ -15,7 +15,7 @@ struct SeenFocalLength {
   double error = 0, sigma = 0;
 };
 
-// Corners show most of an error, matches two fifths of it, but small ones more exactly.
+// Corners also where there was no map to be adjusted.
 std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
   constexpr double kSigmas = 3;
   const auto newest = std::find_if(run.frames.rbegin(), run.frames.rend(), [](const FrameRecord& frame) {
@@ -88,7 +88,7 @@ std::vector<std::string> run_warnings(const Run& run) {
   if (c.correction.focal != 0)
     warnings.push_back(
         "The focal length is " + fixed(100 * c.correction.focal, 1) + " +- " +
-        fixed(100 * c.focal_length.sigma, 1) +
+        fixed(100 * c.lens.focal_sigma, 1) +
         " % off the camera file's, by the motion, and was corrected during the run. Run again with a "
         "camera file of edgevo calibrate RUN, or of a board (edgevo calibrate --chessboard).");
   if (c.shutter.state == CameraRefinement::State::kAtLimit)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "moved_height.h"
+
 namespace edgevo {
 namespace {
 
@@ -97,7 +99,11 @@ void GroundLinks::handle(const WindowAdjusted& e) {
 void GroundLinks::handle(const MapMoved& e) {
   if (parts_.empty() || e.segment != parts_.back().segment) return;
   for (Seen& k : parts_.back().keyframes)
-    if (const KeyframeMove* move = e.find(k.id)) k.scale_ratio *= move->scale_ratio;
+    if (const KeyframeMove* move = e.find(k.id)) k.height_ratio *= height_ratio(e, *move);
+  for (Part& part : parts_)
+    if (const KeyframeMove* move = e.find(part.last_keyframe);
+        move && part.height && part.segment == e.segment)
+      part.height->factor /= height_ratio(e, *move);
 }
 
 // With those of the window, as they are now.
@@ -117,7 +123,7 @@ std::optional<ScaleEstimate> GroundLinks::measure(const std::vector<Seen>& keyfr
   std::vector<HeightSample> heights;
   for (const Seen& k : keyframes)
     for (HeightSample height : ground_heights(pinhole_, *k.record, down_, path_, true, params_)) {
-      height.height *= k.scale_ratio;
+      height.height *= k.height_ratio;
       heights.push_back(height);
     }
   return fit_height(heights, 1.0, params_);

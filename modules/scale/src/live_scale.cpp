@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "moved_height.h"
 #include "scale_course.h"
 
 namespace edgevo {
@@ -59,7 +60,8 @@ void LiveScale::add_keyframe(int id, const KeyframeRecord& keyframe) {
 void LiveScale::apply(const MapMoved& moved) {
   if (moved.segment != segment_) return;
   for (HeightSample& height : heights_)
-    if (const KeyframeMove* move = moved.find(height.keyframe_id)) height.height *= move->scale_ratio;
+    if (const KeyframeMove* move = moved.find(height.keyframe_id))
+      height.height *= height_ratio(moved, *move);
   estimate();
 }
 

@@ -28,17 +28,14 @@ constexpr double kMinSignificance = 1.5;
 // (lab 2026-11-22_rolling_shutter).
 constexpr double kOverRelaxation = 1.3;
 
-// Beforehand, of a lens that the camera file describes roughly.
-constexpr LensPrior kLensPrior{0.3, 0.1, 0.1, 0};
-
 class CameraFinder {
  public:
-  CameraFinder(const CameraProblem& problem, const CameraRefinement& known,
-               const SelfCalibrationParams& params, const BaOptions& options)
-      : problem_(problem),
+  CameraFinder(CameraProblem problem, const CameraRefinement& known, const SelfCalibrationParams& params,
+               const BaOptions& options)
+      : problem_(std::move(problem)),
         params_(params),
         options_(options),
-        keyframes_(int(problem.file.poses.size())),
+        keyframes_(int(problem_.file.poses.size())),
         known_(known),
         state_(known) {
     // A first solve that starts far off took 9 to 15 at a tolerance of 1e-6.
@@ -51,45 +48,67 @@ class CameraFinder {
 
   CameraDecision run() {
     // Corners know it whatever the map, also a later, shorter one.
-    if (const std::optional<double> focal = focal_length_to_try(known_, params_.significance))
-      return try_focal_length(*focal);
+    if (do_corners_contradict(known_)) {
+      weigh_focal_length();
+      return {state_, moved_only_by_focal_length(), true};
+    }
     if (knew_more()) return nothing();
+    if (!problem_.is_in_doubt) weigh_focal_length();
     const bool estimate_k1 = params_.refines_k1() && keyframes_ >= params_.min_keyframes;
     const bool estimate_readout =
         params_.refines_readout() && (state_.shutter.state == State::kApplied || !estimate_k1);
+    if (!estimate_k1 && !estimate_readout) return nothing();
     CameraEstimate e = search(estimate_k1, estimate_readout);
     if (!e.usable) return nothing();
-    if (estimate_k1) note_lens(e);
     if (params_.refines_readout() && !estimate_readout) e = look_at_shutter(std::move(e));
     return apply_significant(std::move(e));
   }
 
  private:
-  CameraDecision nothing() const { return {state_, std::nullopt, false}; }
+  // Nothing but perhaps a focal length.
+  CameraDecision nothing() const { return {state_, moved_only_by_focal_length(), false}; }
 
-  CameraDecision try_focal_length(double focal) {
-    const CameraEstimate before = search(false, false);
-    CameraSearch s;
-    s.start = known_.correction;
-    s.start.correction.focal = focal;
-    s.free = only({});
-    CameraEstimate e =
-        estimate_camera(seen_with_focal_length(problem_, known_.correction.focal, focal), s, options_);
-    CameraRefinement::FocalLength& found = state_.focal_length;
-    if (!before.usable || !e.usable ||
-        !is_supported_by_map(known_, e.cost / before.cost, params_.significance)) {
-      found.windows_rejected = found.windows;
-      return {state_, std::nullopt, true};
-    }
-    state_.correction.focal = focal;
-    found.state = focal == 0 ? State::kInsignificant : State::kApplied;
-    return {state_, std::move(e), true};
+  std::optional<CameraEstimate> moved_only_by_focal_length() const {
+    if (state_.correction == known_.correction) return std::nullopt;
+    CameraEstimate e = search(false, false);
+    return e.usable ? std::make_optional(std::move(e)) : std::nullopt;
+  }
+
+  // The posterior of the whole camera, and by it a focal length in place of the one in use: its mean where
+  // the file's is improbable, else the file's; both only if the map and what was held back of it support it.
+  void weigh_focal_length() {
+    if (!params_.refines_k1() && !params_.refines_focal_length()) return;
+    const double in_use = known_.correction.focal;
+    const CameraSearch s = search_for_camera(known_, params_.refines_readout(), params_.readout_s);
+    state_.focal_length.windows_rejected = state_.focal_length.windows;
+    const CameraProblem start = seen_with_focal_length(problem_, in_use, s.start.correction.focal);
+    const CameraEstimate e = estimate_camera(start, s, options_);
+    if (!e.usable || is_at_limit(e.value.correction.focal)) return;
+    const FocalPosterior posterior = focal_posterior(known_, e);
+    const bool is_improbable = std::abs(posterior.mean) > params_.significance * posterior.sigma_in_use;
+    const bool is_to_change = is_improbable || in_use != 0;
+    if (is_improbable && !posterior.do_matches_agree) return;
+    if (is_to_change && !is_better(start, e)) return;
+    note_lens(e, posterior);
+    if (!is_to_change || !params_.refines_focal_length() || !problem_.rectification.camera().plumb_bob())
+      return;
+    state_.correction.focal = is_improbable ? posterior.mean : 0;
+    state_.focal_length.state = is_improbable ? State::kApplied : State::kInsignificant;
+    problem_ = seen_with_focal_length(started_at(start, e.solution), e.value.correction.focal,
+                                      state_.correction.focal);
   }
 
   // A later, shorter segment knows less.
   bool knew_more() const {
     return (state_.state == State::kApplied && keyframes_ < state_.keyframes) ||
            (state_.shutter.state == State::kApplied && keyframes_ < state_.shutter.keyframes);
+  }
+
+  // Where the motion shows nothing of the camera, the steps of a search lead uphill.
+  bool is_better(const CameraProblem& start, const CameraEstimate& e) const {
+    const CameraEstimate in_use = search(false, false);
+    return in_use.usable && e.cost < in_use.cost &&
+           compare_on_held_back(start, e, known_.correction, options_).allows_estimate();
   }
 
   CameraEstimate search(bool free_k1, bool free_readout) const {
@@ -123,16 +142,10 @@ class CameraFinder {
     return f;
   }
 
-  // One step with everything free, from the minimum over what a run corrects.
-  void note_lens(const CameraEstimate& e) {
-    CameraSearch whole;
-    whole.free = only({kK1, kK2, kFocal});
-    whole.prior_sigma = of_each(kLensPrior.k1, 1, kLensPrior.k2, kLensPrior.focal, 1);
-    const std::optional<CameraLook> look = look_from(problem_, e, whole, options_);
-    if (!look) return;
-    const ba::Unknowns sigma = kSigmasOfMatches * look->sigma;
-    state_.lens = {look->value[kK1], look->value[kK2], look->value[kFocal], sigma[kK1],
-                   sigma[kK2],       sigma[kFocal],    keyframes_};
+  void note_lens(const CameraEstimate& e, const FocalPosterior& focal) {
+    const ba::Unknowns sigma = kSigmasOfMatches * e.sigma;
+    state_.lens = {e.value.correction.k1, e.value.k2, focal.mean, sigma[kK1], sigma[kK2],
+                   focal.sigma,           keyframes_};
   }
 
   Finding note_readout(double readout_s, double formal_sigma) {
@@ -172,8 +185,8 @@ class CameraFinder {
     return {state_, std::move(e), false};
   }
 
-  // But for the focal length, which is not to be found in matches.
-  ImageCorrection by_file() const { return {0, params_.readout_s, known_.correction.focal}; }
+  // But for the focal length, which was weighed before.
+  ImageCorrection by_file() const { return {0, params_.readout_s, state_.correction.focal}; }
 
   // What the estimate was not made of supports the camera file. Moves the map only if it was corrected
   // before.
@@ -193,7 +206,7 @@ class CameraFinder {
     return std::clamp(before + factor * (readout_s - before), -kMaxReadout, kMaxReadout);
   }
 
-  const CameraProblem& problem_;
+  CameraProblem problem_;
   const SelfCalibrationParams& params_;
   BaOptions options_;
   int keyframes_;

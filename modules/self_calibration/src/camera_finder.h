@@ -15,14 +15,15 @@ struct CameraDecision {
   CameraRefinement state;
   /// The estimate, if something is to be applied.
   std::optional<CameraEstimate> estimate;
-  /// Whether nothing but a focal length that corners show was tried.
+  /// Whether nothing but the focal length was weighed, since corners contradict it.
   bool is_of_focal_length = false;
 };
 
 /// Estimates the camera. Before `params.min_keyframes` only the read-out time is estimated: k1 becomes
 /// observable later. From then on k1 is, and the read-out time with it if it is known already or if one more
-/// step indicates a rolling shutter. A focal length that corners show comes first, and alone. `known`:
-/// results of earlier estimates.
+/// step indicates a rolling shutter. Before either, the posterior of the focal length is weighed
+/// (focal_length.h); where corners contradict the one in use, it alone. `known`: results of earlier
+/// estimates.
 CameraDecision find_camera(const CameraProblem& problem, const CameraRefinement& known,
                            const SelfCalibrationParams& params, const BaOptions& options);
 

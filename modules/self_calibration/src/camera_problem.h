@@ -23,6 +23,8 @@ struct CameraProblem {
   std::vector<Eigen::Vector2d> px_host;
   /// Motion of the image, per pose; empty: no motion is known.
   std::vector<ImageMotion> motion;
+  /// Whether the newest keyframe was made in doubt: the map may be wrong by more than the camera is.
+  bool is_in_doubt = false;
   /// Motion of the image of a pose; no motion if none is known.
   const ImageMotion& motion_of(int pose) const;
 };

@@ -99,6 +99,7 @@ CalibrationHistory make_history(const Rectification& rectification, const ImageC
                                 const std::vector<const Keyframe*>& keyframes) {
   CalibrationHistory h;
   h.problem.rectification = rectification;
+  h.problem.is_in_doubt = keyframes.back()->is_doubtful;
   BaProblem& file = h.problem.file;
   file.pinhole = rectification.target();
   std::map<int, int> pose_of_id;

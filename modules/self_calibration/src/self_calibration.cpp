@@ -92,8 +92,7 @@ bool SelfCalibration::refines_focal_length() const {
 
 bool SelfCalibration::is_focal_length_due(const Map& map) const {
   if (job_) return job_->is_of_focal_length;
-  return needs_matches() && keyframes_of(map) >= kMinForFocalLength &&
-         focal_length_to_try(state_, params_.significance);
+  return needs_matches() && keyframes_of(map) >= kMinForFocalLength && do_corners_contradict(state_);
 }
 
 bool SelfCalibration::is_due(const Map& map) const {
@@ -113,7 +112,7 @@ void SelfCalibration::pass_checkpoint(int keyframes, bool at_end) {
 void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
-  job_->is_of_focal_length = focal_length_to_try(state_, params_.significance).has_value();
+  job_->is_of_focal_length = do_corners_contradict(state_);
   job_->history = make_history(rectification_, state_.correction, all_keyframes(map));
   job_->finding = std::async(std::launch::async,
                              [&problem = job_->history.problem, known = state_, params = params_, options] {

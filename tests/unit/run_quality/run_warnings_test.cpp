@@ -62,11 +62,11 @@ TEST(RunWarnings, AFocalLengthThatTheCornersContradict) {
 // One warning, of what was done, and not of what the matches say besides.
 TEST(RunWarnings, AFocalLengthThatWasCorrected) {
   edgevo::Run run;
-  run.camera.correction.focal = 0.22, run.camera.focal_length.sigma = 0.05;
+  run.camera.correction.focal = 0.22;
   run.camera.lens.focal = 0.2, run.camera.lens.focal_sigma = 0.01;
   EXPECT_THAT(
       run_warnings(run),
-      ElementsAre(HasSubstr("22.0 +- 5.0 % off the camera file's, by the motion, and was corrected")));
+      ElementsAre(HasSubstr("22.0 +- 1.0 % off the camera file's, by the motion, and was corrected")));
 }
 
 TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {

@@ -66,6 +66,19 @@ class FollowedDrive {
     if (!in_segments_) log_->append(EpochBegan{0, last_before, first});
     follow();
   }
+  // All keyframes that were seen before the doubt, as another focal length shows them.
+  void correct_focal_length(double focal) {
+    MapMoved moved;
+    moved.lens = LensChange{{}, {0, 0, focal}};
+    moved.T_newest_map = anchor(kLost - 2).T_cam_map;
+    for (int k = 0; k < kLost / 2; ++k) {
+      KeyframeMove move;
+      move.id = k;
+      move.T_cam_newest = anchor(2 * k).T_cam_map * moved.T_newest_map.inverse();
+      moved.keyframes.push_back(move);
+    }
+    links_.apply(MapEvent(moved));
+  }
   void link_by_features(double ratio, double sigma) {
     log_->add_constraint(scale_constraint(ConstraintKind::kFeatures, NodeId::keyframe(kLost / 2 - 2),
                                           NodeId::keyframe(kSeen / 2 + 4), ratio, sigma));
@@ -174,6 +187,22 @@ TEST(GroundLinks, ItLinksAsSoonAsTheGroundIsSeenAgain) {
   FollowedDrive drive = compared_drive(0.6);
   drive.drive_to(kCompared + 40);
   ASSERT_EQ(drive.constraints().size(), 1u);
+}
+
+// Heights that were measured with the focal length before, at the same depths.
+TEST(GroundLinks, AnotherFocalLengthIsNoChangeOfTheUnit) {
+  constexpr double kFocal = 0.25;
+  for (const bool is_before_comparison : {true, false}) {
+    FollowedDrive drive(drive_with_a_gap());
+    drive.drive_to(kCompared + 1);
+    if (is_before_comparison) drive.correct_focal_length(kFocal);
+    drive.compare({});
+    if (!is_before_comparison) drive.correct_focal_length(kFocal);
+    drive.drive_to(300);
+    const auto constraints = drive.constraints();
+    ASSERT_EQ(constraints.size(), 1u);
+    EXPECT_NEAR(constraints[0].scale * kLengths * (1 + kFocal), 1, 0.1);
+  }
 }
 
 TEST(GroundLinks, TwoMapsAreLinkedToo) {

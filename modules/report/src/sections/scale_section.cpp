@@ -97,8 +97,8 @@ std::string focal_length_text(const CameraRefinement& camera) {
 
 std::string whole_lens_text(const CameraRefinement::Lens& lens) {
   if (lens.keyframes == 0) return {};
-  return " By the matches, with k2 and focal length free (not applied): k1 " + fixed(lens.k1, 4) + " ± " +
-         fixed(lens.k1_sigma, 4) + ", k2 " + fixed(lens.k2, 4) + " ± " + fixed(lens.k2_sigma, 4) +
+  return " By file, corners and matches together, with k2 and focal length free: k1 " + fixed(lens.k1, 4) +
+         " ± " + fixed(lens.k1_sigma, 4) + ", k2 " + fixed(lens.k2, 4) + " ± " + fixed(lens.k2_sigma, 4) +
          ", focal length " + fixed(100 * lens.focal, 1) + " ± " + fixed(100 * lens.focal_sigma, 1) +
          " % off the file's.";
 }

@@ -77,14 +77,19 @@ void write_focal_length(const CameraRefinement& c, YamlWriter* y) {
   y->integer("focal_windows", f.windows);
 }
 
-void write_lens(const CameraRefinement::Lens& l, YamlWriter* y) {
+std::string lens_statement(const CameraRefinement& c) {
+  if (c.correction.focal != 0) return "its focal length was applied";
+  if (c.lens.contradicts_file())
+    return "not applied: file, corners and matches together contradict the focal length of the camera file";
+  return "not applied: by corners and matches, the focal length agrees with the camera file's to three "
+         "standard deviations, " +
+         fixed(300 * c.lens.focal_sigma, 1) + " %; a smaller error may not show";
+}
+
+void write_lens(const CameraRefinement& c, YamlWriter* y) {
+  const CameraRefinement::Lens& l = c.lens;
   if (l.keyframes == 0) return;
-  y->text("lens_result",
-          l.contradicts_file()
-              ? "not applied: the matches contradict the focal length of the camera file"
-              : "not applied: by the matches, the focal length agrees with the camera file's to three "
-                "standard deviations, " +
-                    fixed(300 * l.focal_sigma, 1) + " %; a smaller error may not show");
+  y->text("lens_result", lens_statement(c));
   y->number("lens_k1", l.k1, 5);
   y->number("lens_k1_standard_deviation", l.k1_sigma, 4);
   y->number("lens_k2", l.k2, 5);
@@ -109,7 +114,7 @@ void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
     y->integer("keyframes", c.keyframes);
   }
   write_focal_length(c, y);
-  write_lens(c.lens, y);
+  write_lens(c, y);
   const CameraRefinement::Shutter& s = c.shutter;
   y->text("shutter", to_string(s.state));
   y->text("shutter_result", shutter_statement(s, c.correction.readout_s));

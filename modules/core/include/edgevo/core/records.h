@@ -170,15 +170,15 @@ struct CameraRefinement {
     State state = State::kOff;
     /// True focal length over that of the file, less 1, and its standard deviation; sigma 0: no estimate.
     double estimate = 0, sigma = 0;
-    /// Number of windows of views that the estimate is based on, and that of the newest estimate that the map
-    /// spoke against; 0: of none.
+    /// Number of windows of views that the estimate is based on, and that of the newest estimate that was
+    /// weighed against the map; 0: of none.
     int windows = 0, windows_rejected = 0;
   };
   /// Result for the focal length.
   FocalLength focal_length;
 
-  /// What all matches say of the lens if k2 and the focal length are free, too. Nothing of it is
-  /// applied.
+  /// The posterior of the lens by file, corners and matches, with k2, focal length and read-out time free,
+  /// too. Of it the focal length is applied where the file's is improbable.
   struct Lens {
     /// Radial coefficients beyond the lens of the file (radial.h).
     double k1 = 0, k2 = 0;

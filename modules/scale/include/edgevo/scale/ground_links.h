@@ -34,7 +34,7 @@ class GroundLinks {
   struct Seen {  // a keyframe in its segment's map
     int id = 0;
     std::shared_ptr<const KeyframeRecord> record;
-    double scale_ratio = 1;  // lengths near it now over those of the record: the map has moved
+    double height_ratio = 1;  // of its points now, over those of the record: the map has moved
   };
   struct Part {  // an epoch
     int segment = 0, first_keyframe = -1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The focal length from corners that are followed through the images (features/feature_tracker.h). Matches of
-// edges are sought where the map predicts them, and the map was made with the camera file: of an error of a
-// fifth they show two fifths. Corners are followed without the map, so that a bundle of their own, poses and
+// edges are sought where the map predicts them, and the map was made with the camera file: of a large error
+// they show a part. Corners are followed without the map, so that a bundle of their own, poses and
 // depths free, shows most of it once the camera has turned.
 #include <Eigen/Core>
 #include <memory>

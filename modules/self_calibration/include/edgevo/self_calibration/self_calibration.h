@@ -2,7 +2,7 @@
 #pragma once
 // Self-calibration: camera properties that the camera file does not contain (edges/image_correction.h),
 // namely the residual radial distortion k1 and the read-out time of a rolling shutter, estimated from the
-// window's own matches during a run, and the focal length, which followed corners show
+// window's own matches during a run, and the focal length, which followed corners show, too
 // (focal_by_corners.h).
 //
 // Not from the paper. A monocular map's scale grows or shrinks along a path when the lens model is wrong,
@@ -13,8 +13,8 @@
 //   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
 //      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
 //      read-out time is estimated, too.
-//      What k2 and focal length would be by the matches, if they were free, too, is stated
-//      (CameraRefinement::Lens).
+//      Before, the focal length is weighed: its posterior of file, corners and matches, with k1, k2 and
+//      read-out time free (CameraRefinement::Lens). k2 is stated only.
 //   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
 //      result is a move of the map (MapMoved), with a new prior of the window; Map::move() applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
