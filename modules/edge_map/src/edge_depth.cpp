@@ -61,7 +61,7 @@ class DepthSearch {
       node.at = i - chain.begin;
       reached(i, EdgeStage::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
-      if (i - last_search >= kSearchEveryPx) search(&node), last_search = i;
+      if (i - last_search >= kSearchEveryPx && !is_settled(node)) search(&node), last_search = i;
       keep_best(&node.hypotheses);
       nodes.push_back(std::move(node));
     }
@@ -94,6 +94,13 @@ class DepthSearch {
 
   void carry_along(const ChainNode& from, ChainNode* to) const {
     for (const Hypothesis& h : from.hypotheses) try_out(h.idepth, Guess::kCarriedAlong, to);
+  }
+
+  // Whether views show a carried depth so well that until the next search no other could pay for a jump.
+  bool is_settled(const ChainNode& node) const {
+    const double nodes = double(kSearchEveryPx) / params_.step_px;
+    return std::any_of(node.hypotheses.begin(), node.hypotheses.end(),
+                       [&](const Hypothesis& h) { return nodes * h.cost < kBreakCost; });
   }
 
   void search(ChainNode* node) const {
