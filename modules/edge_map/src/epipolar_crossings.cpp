@@ -66,39 +66,23 @@ double crossing(const EdgeSight& sight, const ViewGeometry& view, const Eigen::V
   return change.dark && change.bright ? -1 : at;
 }
 
-// Pixels to go without missing an edge, by the squared distance of the nearest one; 0: it is near.
-std::vector<double> make_steps() {
-  constexpr int kMaxSquared = NearestField::kMaxRadius * NearestField::kMaxRadius + 1;
-  std::vector<double> steps;
-  for (int square = 0; square <= kMaxSquared; ++square) {
-    const double distance = std::sqrt(double(square));
-    steps.push_back(distance > kNearPx ? std::max(1.0, distance - kNearPx) : 0);
-  }
-  return steps;
-}
-
 // An edge next to the line.
 struct NearEdge {
   double s;  // position on the line
   int at;    // first its pixel, then its edge pixel
 };
 
-// The edges next to the line, in its order. What is read next is prefetched.
-EDGEVO_WIDE_CLONES void walk_along(const NearestField& field, const Segment& segment, const double* steps,
+// The edges next to the line, in its order. Even steps, as no read waits for another: longer ones where no
+// edge is near take as long.
+EDGEVO_WIDE_CLONES void walk_along(const NearestField& field, const Segment& segment,
                                    std::vector<NearEdge>* near) {
-  constexpr double kAhead = 8 * kStepPast;
-  for (double s = 0; s <= segment.length;) {
-    const Eigen::Vector2d p = segment.start + s * segment.direction, next = p + kAhead * segment.direction;
-    field.prefetch_pixel(float(next.x()), float(next.y()));
+  constexpr int kNear = int(kNearPx * kNearPx);
+  for (double s = 0; s <= segment.length; s += kStepPast) {
+    const Eigen::Vector2d p = segment.start + s * segment.direction;
     const float x = float(p.x()), y = float(p.y());
-    const double step = steps[field.squared_distance(x, y)];
-    if (step > 0) {
-      s += step;
-      continue;
-    }
+    if (field.squared_distance(x, y) > kNear) continue;
     near->push_back({s, field.nearest_pixel(x, y)});
     field.prefetch_edge(near->back().at);
-    s += kStepPast;
   }
 }
 
@@ -120,13 +104,12 @@ void add_crossings(const EdgeSight& sight, const ViewGeometry& view, const Sight
 
 bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, double max_idepth,
                     std::vector<double>* idepths) {
-  static const std::vector<double> steps = make_steps();
   const SightLine line(view, sight.px);
   const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
   if (segment.length < kMinLengthPx) return false;
   thread_local std::vector<NearEdge> near;
   near.clear();
-  walk_along(view.level->field, segment, steps.data(), &near);
+  walk_along(view.level->field, segment, &near);
   for (NearEdge& e : near) {
     e.at = view.level->field.edge_at(e.at);
     prefetch(&view.level->edges.pixels[size_t(e.at)]);
