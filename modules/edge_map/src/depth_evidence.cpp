@@ -112,18 +112,33 @@ EDGEVO_INLINE void compare(const EdgeSight& sight, const LookUp& up) {
   up.look->dark_differs[v] = -int64_t(change.dark), up.look->bright_differs[v] = -int64_t(change.bright);
 }
 
+// What the next pixel of the edge will read, next to what this one does.
+EDGEVO_INLINE void prefetch_next(const EdgeSight& sight, const PyramidLevel& level, int pixel) {
+  const int next = pixel + int(sight.to_next.y()) * level.edges.width + int(sight.to_next.x());
+  if (next >= 0 && next < level.edges.width * level.edges.height) level.field.prefetch_edge(next);
+}
+EDGEVO_INLINE void prefetch_edges(const EdgeSight& sight, const std::vector<EdgePixel>& edges, int at) {
+  prefetch(&edges[size_t(at)]);
+  prefetch(&edges[size_t(std::max(0, at - sight.step))]);
+  prefetch(&edges[std::min(edges.size() - 1, size_t(at + sight.step))]);
+}
+
 // Finds the edge nearest to each point. What is read lies nowhere near in memory, and each read depends on the
 // one before: in turn for all views, they wait for memory together.
 EDGEVO_INLINE void look_up(const EdgeSight& sight, LookUp* begin, LookUp* end) {
   for (LookUp* up = begin; up != end; ++up) {
     const float x = float(up->look->column[up->lane]), y = float(up->look->row[up->lane]);
-    up->at = up->view->level->field.nearest_pixel(x, y);
-    if (up->at >= 0) up->view->level->field.prefetch_edge(up->at);
+    const PyramidLevel& level = *up->view->level;
+    up->at = level.field.nearest_pixel(x, y);
+    level.field.prefetch_pixel(x + sight.to_next.x(), y + sight.to_next.y());
+    if (up->at < 0) continue;
+    level.field.prefetch_edge(up->at);
+    prefetch_next(sight, level, up->at);
   }
   for (LookUp* up = begin; up != end; ++up) {
     if (up->at < 0) continue;
     up->at = up->view->level->field.edge_at(up->at);
-    prefetch(&up->view->level->edges.pixels[size_t(up->at)]);
+    prefetch_edges(sight, up->view->level->edges.pixels, up->at);
     prefetch(&(*up->view->sides)[size_t(up->at)]);
   }
   for (const LookUp* up = begin; up != end; ++up) compare(sight, *up);

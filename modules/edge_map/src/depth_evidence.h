@@ -41,6 +41,10 @@ struct Hypothesis {
 /// Edge pixel of the host with its sight lines.
 struct EdgeSight {
   Eigen::Vector2d px, normal;
+  /// From here to the pixel of the edge that is looked at next, and their distance along it: what is read for
+  /// that one is prefetched.
+  Eigen::Vector2f to_next = Eigen::Vector2f::Zero();
+  int step = 0;
   EdgeSides sides;
   /// Sight lines in the groups of views.
   std::vector<SightGroup> lines;

@@ -71,6 +71,8 @@ class DepthSearch {
   void look_from(int i) {
     const EdgePixel& e = level_.edges.pixels[size_t(i)];
     sight_.px = e.position().cast<double>();
+    const size_t next = std::min(size_t(i + params_.step_px), level_.edges.pixels.size() - 1);
+    sight_.to_next = level_.edges.pixels[next].position() - e.position(), sight_.step = params_.step_px;
     sight_.normal = e.normal().cast<double>();
     sight_.sides = sides_[size_t(i)];
     look_along(set_, sight_.px, sight_.normal, &sight_.lines);
