@@ -29,7 +29,7 @@ struct Candidate {
   explicit Candidate(const PlaneSample& s)
       : x(homogeneous(s.px)),
         idepth(s.idepth),
-        inverse_sigma(1 / std::hypot(s.sigma(), kRelief * s.idepth)),
+        inverse_sigma(1 / std::sqrt(s.variance() + kRelief * kRelief * s.idepth * s.idepth)),
         certainty(kRelief * s.idepth * inverse_sigma),
         cell(size_t(int(s.px.y()) / kAreaPx * kAreaColumns + int(s.px.x()) / kAreaPx)) {}
 
@@ -79,8 +79,6 @@ std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& sampl
 
 }  // namespace
 
-double PlaneSample::sigma() const { return std::hypot(noise, common); }
-
 EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) {
   if (samples.size() < kAtLeast) return;
   for (const PlaneSample& s : samples) centre_ += s.px / double(samples.size());
@@ -88,7 +86,7 @@ EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) {
   Eigen::Vector3d b = Eigen::Vector3d::Zero(), shared = Eigen::Vector3d::Zero();
   for (const PlaneSample& s : samples) {
     const Eigen::Vector3d x = homogeneous(s.px - centre_);
-    const double w = 1 / (s.sigma() * s.sigma());
+    const double w = 1 / s.variance();
     A += w * x * x.transpose(), b += w * s.idepth * x, shared += w * s.common * x;
   }
   constexpr double kRounding = 1e-12;  // of a 3x3 system: samples on a line
@@ -107,8 +105,8 @@ EdgePlane::EdgePlane(const std::vector<PlaneSample>& samples) {
 void EdgePlane::measure_relief(const std::vector<PlaneSample>& samples) {
   double squares = 0, weights = 0;
   for (const PlaneSample& s : samples) {
-    const double off = s.idepth - plane_.dot(homogeneous(s.px - centre_)), w = 1 / (s.sigma() * s.sigma());
-    squares += w * (off * off - s.sigma() * s.sigma()), weights += w * s.idepth * s.idepth;
+    const double off = s.idepth - plane_.dot(homogeneous(s.px - centre_)), w = 1 / s.variance();
+    squares += w * (off * off - s.variance()), weights += w * s.idepth * s.idepth;
   }
   relief_ = std::sqrt(std::max(0.0, squares / weights));
 }
@@ -175,8 +173,9 @@ bool EdgePlane::holds(const PlaneSample& sample) const {
   const Eigen::Vector3d x = homogeneous(sample.px - centre_);
   const double idepth = plane_.dot(x);
   const double variance =
-      x.dot(covariance_ * x) + std::pow(kRelief * idepth, 2) + sample.sigma() * sample.sigma();
-  return idepth > 0 && std::abs(sample.idepth - idepth) < kPlaneSigmas * std::sqrt(variance);
+      x.dot(covariance_ * x) + std::pow(kRelief * idepth, 2) + sample.variance();
+  const double off = sample.idepth - idepth;
+  return idepth > 0 && off * off < kPlaneSigmas * kPlaneSigmas * variance;
 }
 
 EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples) {

@@ -22,7 +22,9 @@ PlaneSample sample_of(const EdgePixel& e, const FinalNode& s) {
 PlaneSample sample_of(const Eigen::Vector2d& px, const NodeEvidence& e) {
   return {px, e.hypothesis.idepth, 1 / std::sqrt(std::max(e.hypothesis.information, 1e-12)), e.common};
 }
-bool is_useful(const PlaneSample& s) { return s.sigma() <= kSampleShare * s.idepth; }
+bool is_useful(const PlaneSample& s) {
+  return s.variance() <= kSampleShare * kSampleShare * s.idepth * s.idepth;
+}
 
 // Where edges lie on the plane, and where they do not.
 class PlaneArea {
