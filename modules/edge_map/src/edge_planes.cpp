@@ -173,7 +173,7 @@ bool EdgePlane::holds(const PlaneSample& sample) const {
   const Eigen::Vector3d x = homogeneous(sample.px - centre_);
   const double idepth = plane_.dot(x);
   const double variance =
-      x.dot(covariance_ * x) + std::pow(kRelief * idepth, 2) + sample.variance();
+      x.dot(covariance_ * x) + std::pow(std::max(kRelief, relief_) * idepth, 2) + sample.variance();
   const double off = sample.idepth - idepth;
   return idepth > 0 && off * off < kPlaneSigmas * kPlaneSigmas * variance;
 }
