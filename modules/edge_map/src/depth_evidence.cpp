@@ -254,12 +254,13 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
   return h;
 }
 
-double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double max_idepth,
-                            const EdgeMapParams& params) {
+double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double own,
+                            double max_idepth, const EdgeMapParams& params) {
   const auto look = [&](double at) { return weigh(sight, set, at, Guess::kExact, max_idepth, params); };
-  const Hypothesis here = look(idepth), farther = look(0.5 * idepth), nearer = look(2 * idepth);
-  const auto likelihood = [&](const Hypothesis& h) { return std::exp(log_likelihood(h, here.in_view)); };
-  return log_likelihood(here, here.in_view) - std::log(0.5 * (likelihood(farther) + likelihood(nearer)));
+  const Hypothesis here = look(idepth);
+  const auto likelihood = [&](double at) { return std::exp(log_likelihood(look(at), here.in_view)); };
+  const double elsewhere = 0.5 * (likelihood(0.5 * idepth) + likelihood(2 * idepth));
+  return log_likelihood(here, here.in_view) - std::log(std::max(elsewhere, own > 0 ? likelihood(own) : 0));
 }
 
 }  // namespace edgevo
