@@ -123,8 +123,8 @@ EDGEVO_INLINE void prefetch_edges(const EdgeSight& sight, const std::vector<Edge
   prefetch(&edges[std::min(edges.size() - 1, size_t(at + sight.step))]);
 }
 
-// Finds the edge nearest to each point. What is read lies nowhere near in memory, and each read depends on the
-// one before: in turn for all views, they wait for memory together.
+// Finds the edge nearest to each point. What is read lies nowhere near in memory, and each read depends on
+// the one before: in turn for all views, they wait for memory together.
 EDGEVO_INLINE void look_up(const EdgeSight& sight, LookUp* begin, LookUp* end) {
   for (LookUp* up = begin; up != end; ++up) {
     const float x = float(up->look->column[up->lane]), y = float(up->look->row[up->lane]);

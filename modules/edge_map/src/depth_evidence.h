@@ -66,8 +66,8 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
                  const EdgeMapParams& params);
 
 /// Logarithm of the likelihood of what the views show if the edge has this inverse depth, over that if it
-/// lies elsewhere along its ray: half as far, twice, or at its `own` inverse depth, unless that is 0. Views in which depth does not move the point show the
-/// same for each, and so say nothing.
+/// lies elsewhere along its ray: half as far, twice, or at its `own` inverse depth, unless that is 0. Views
+/// in which depth does not move the point show the same for each, and so say nothing.
 double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double own,
                             double max_idepth, const EdgeMapParams& params);
 

@@ -210,9 +210,10 @@ class DepthSearch {
     const WeighNode weigh_node = [this](const FinalNode& s, double idepth, double own) {
       look_from(s.node.edge_pixel);
       const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
-      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
-                          h.views > 0 && log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_) > 0,
-                          h.views >= params_.min_views};
+      return NodeEvidence{
+          h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
+          h.views > 0 && log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_) > 0,
+          h.views >= params_.min_views};
     };
     edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, plane_,
                          &chains_);
