@@ -61,7 +61,7 @@ class DepthSearch {
       node.at = i - chain.begin;
       reached(i, EdgeStage::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
-      if (i - last_search >= kSearchEveryPx && !is_settled(node)) search(&node), last_search = i;
+      if (i - last_search >= kSearchEveryPx && !has_sure_depth(node)) search(&node), last_search = i;
       keep_best(&node.hypotheses);
       nodes.push_back(std::move(node));
     }
@@ -99,7 +99,7 @@ class DepthSearch {
   }
 
   // Whether views show a carried depth so well that until the next search no other could pay for a jump.
-  bool is_settled(const ChainNode& node) const {
+  bool has_sure_depth(const ChainNode& node) const {
     const double nodes = double(kSearchEveryPx) / params_.step_px;
     return std::any_of(node.hypotheses.begin(), node.hypotheses.end(),
                        [&](const Hypothesis& h) { return nodes * h.cost < kBreakCost; });
