@@ -12,6 +12,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kTries = 100;      // a plane with a third of the samples is hit with 97.5 %
+constexpr int kDraws = 4;        // for each sample of a plane, of which the most certain is taken
 constexpr size_t kAtLeast = 40;  // samples: fewer lie on one by chance, of some 3000
 constexpr double kPlaneSigmas = 3;
 constexpr double kRelief = 0.005;  // share of the inverse depth that a sample may be off the plane at first
@@ -56,6 +57,15 @@ double covered_area(const std::vector<Candidate>& samples, const Eigen::Vector3d
   return std::accumulate(cells->begin(), cells->end(), 0.0);
 }
 
+// The most certain of a few: a plane through three samples has all their errors.
+const Candidate& certain_one(const std::vector<Candidate>& samples, Random* random) {
+  const auto draw = [&] { return size_t(random->below(int(samples.size()))); };
+  size_t best = draw();
+  for (int i = 1; i < kDraws; ++i)
+    if (const size_t other = draw(); samples[other].certainty > samples[best].certainty) best = other;
+  return samples[best];
+}
+
 // The best of many planes through three samples, if it covers more than `most`.
 std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& samples, double most,
                                              Random* random) {
@@ -65,7 +75,7 @@ std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& sampl
     Eigen::Matrix3d M;
     Eigen::Vector3d y;
     for (int k = 0; k < 3; ++k) {
-      const Candidate& s = samples[size_t(random->below(int(samples.size())))];
+      const Candidate& s = certain_one(samples, random);
       M.row(k) = s.x.transpose(), y[k] = s.idepth;
     }
     constexpr double kLeastArea = 400;  // square pixels: a smaller triangle extrapolates its errors
