@@ -11,8 +11,8 @@
 namespace edgevo {
 namespace {
 
-constexpr int kTries = 100;      // a plane with a third of the samples is hit with 97.5 %
-constexpr int kDraws = 4;        // for each sample of a plane, of which the most certain is taken
+constexpr int kTries = 200;      // a plane with a third of the samples is hit by half of them with 97.5 %
+constexpr int kDraws = 4;        // for each sample of the other half, of which the most certain is taken
 constexpr size_t kAtLeast = 40;  // samples: fewer lie on one by chance, of some 3000
 constexpr double kPlaneSigmas = 3;
 constexpr double kRelief = 0.005;  // share of the inverse depth that a sample may be off the plane at first
@@ -57,11 +57,12 @@ double covered_area(const std::vector<Candidate>& samples, const Eigen::Vector3d
   return std::accumulate(cells->begin(), cells->end(), 0.0);
 }
 
-// The most certain of a few: a plane through three samples has all their errors.
-const Candidate& certain_one(const std::vector<Candidate>& samples, Random* random) {
+// The most certain of a few: a plane through three samples has all their errors. Wrong ones may be the more
+// certain, so that half of the planes are drawn without.
+const Candidate& certain_one(const std::vector<Candidate>& samples, int draws, Random* random) {
   const auto draw = [&] { return size_t(random->below(int(samples.size()))); };
   size_t best = draw();
-  for (int i = 1; i < kDraws; ++i)
+  for (int i = 1; i < draws; ++i)
     if (const size_t other = draw(); samples[other].certainty > samples[best].certainty) best = other;
   return samples[best];
 }
@@ -75,7 +76,7 @@ std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& sampl
     Eigen::Matrix3d M;
     Eigen::Vector3d y;
     for (int k = 0; k < 3; ++k) {
-      const Candidate& s = certain_one(samples, random);
+      const Candidate& s = certain_one(samples, t % 2 == 0 ? kDraws : 1, random);
       M.row(k) = s.x.transpose(), y[k] = s.idepth;
     }
     constexpr double kLeastArea = 400;  // square pixels: a smaller triangle extrapolates its errors
