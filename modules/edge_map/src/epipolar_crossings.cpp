@@ -76,11 +76,10 @@ struct NearEdge {
 // edge is near take as long.
 EDGEVO_WIDE_CLONES void walk_along(const NearestField& field, const Segment& segment,
                                    std::vector<NearEdge>* near) {
-  constexpr int kNear = int(kNearPx * kNearPx);
   for (double s = 0; s <= segment.length; s += kStepPast) {
     const Eigen::Vector2d p = segment.start + s * segment.direction;
     const float x = float(p.x()), y = float(p.y());
-    if (field.squared_distance(x, y) > kNear) continue;
+    if (field.squared_distance(x, y) > kNearPx * kNearPx) continue;
     near->push_back({s, field.nearest_pixel(x, y)});
     field.prefetch_edge(near->back().at);
   }
