@@ -121,6 +121,29 @@ void print_sigmas(const SceneRenderer& renderer, const EdgeReplay& replay, doubl
   }
 }
 
+// Errors of the vertices, shares of their inverse depth, by what their depth comes from.
+void print_errors(const SceneRenderer& renderer, const EdgeReplay& replay, double unit) {
+  std::map<DepthSource, std::vector<double>> errors;
+  for (const KeyframeRecord& k : replay.run.keyframes) {
+    const std::vector<float> depth = renderer.render_depth(k.frame_index);
+    const Pinhole& p = replay.run.pinhole;
+    for (const EdgeLine& line : k.lines)
+      for (const EdgeVertex& v : line.vertices)
+        if (const double t =
+                edge_idepth({depth.data(), p.width, p.height, p.width}, v.px.cast<double>()) * unit;
+            t > 0)
+          errors[line.source].push_back((double(v.idepth) - t) / t);
+  }
+  for (auto& [source, e] : errors) {
+    std::sort(e.begin(), e.end());
+    std::printf("%s: %zu vertices, error / idepth at 5, 10, 25, 50, 75, 90, 95 %%:",
+                source == DepthSource::kPlane ? "plane" : "views", e.size());
+    for (double q : {0.05, 0.1, 0.25, 0.5, 0.75, 0.9, 0.95})
+      std::printf(" %.3f", e[size_t(q * double(e.size() - 1))]);
+    std::printf("\n");
+  }
+}
+
 int replay(const std::vector<std::string>& args) {
   Request r;
   const auto own = [&](const std::string& name, const std::string& value) {
@@ -167,6 +190,7 @@ int replay(const std::vector<std::string>& args) {
             << replayed.cpu_ms / (run.keyframes.back().frame_index + 1) << " CPU ms a frame\n"
             << to_table(evaluate_map(replayed.run, *renderer));
   print_sigmas(*renderer, replayed, unit);
+  print_errors(*renderer, replayed, unit);
   if (r.why > 0) print_stages(r, *renderer, replayed, unit);
   const size_t colon = r.picture.find(':');
   if (colon != std::string::npos)

@@ -49,7 +49,13 @@ std::deque<Keyframe> keyframes_of(const KeepingSource& source, const Run& run, c
   return keyframes;
 }
 
-double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+// CPU time of a step, milliseconds.
+template <class F>
+double cpu_ms_of(const F& step) {
+  const std::clock_t begin = std::clock();
+  step();
+  return 1e3 * double(std::clock() - begin) / CLOCKS_PER_SEC;
+}
 
 }  // namespace
 
@@ -66,7 +72,6 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
   for (KeyframeRecord& k : replay.run.keyframes) k.lines.clear();
   std::deque<Keyframe> waiting = keyframes_of(source, run, params.edges);
   for (const Keyframe& k : waiting) replay.pyramids.push_back(k.pyramid);
-  const double begin = cpu_seconds();
   while (!waiting.empty()) {
     const int segment = run.keyframes[size_t(waiting.front().id)].segment;
     const auto is_next = [&] {
@@ -82,19 +87,18 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
         map.add(std::move(waiting.front()));
         if (between)
           between(map.active().back().id, [&](const SE3& T, std::shared_ptr<const FramePyramid> pyramid) {
-            mapper.add_view(map.active().back().id, T, *pyramid);
+            replay.cpu_ms += cpu_ms_of([&] { mapper.add_view(map.active().back().id, T, *pyramid); });
           });
       }
       map.marginalise_oldest({});
-      mapper.add(map);
+      replay.cpu_ms += cpu_ms_of([&] { mapper.add(map); });
       map.evict_matches(mapper.keyframes_needed());
     }
-    mapper.close();
+    replay.cpu_ms += cpu_ms_of([&] { mapper.close(); });
     for (const auto& event : cursor.read())
       if (const auto* e = std::get_if<LinesFinished>(event.get()))
         replay.run.keyframes[size_t(e->keyframe_id)].lines = e->lines;
   }
-  replay.cpu_ms = 1e3 * (cpu_seconds() - begin);
   return replay;
 }
 

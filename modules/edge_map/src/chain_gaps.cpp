@@ -54,20 +54,23 @@ class Bridge {
   bool is_shown(const IsShown& is_shown) const {
     size_t shown = 0;
     for (size_t i = from_ + 1; i < to_; ++i)
-      shown += !contradicts(chain_[i].node, idepth_at(i), sigma()) && is_shown(chain_[i], idepth_at(i));
+      shown += !contradicts(chain_[i].node, idepth_at(i), sigma_at(i)) && is_shown(chain_[i], idepth_at(i));
     return double(shown) >= kShownBetween * double(to_ - from_ - 1);
   }
 
   EdgeNode node_at(size_t i) const {
-    return {chain_[i].node.edge_pixel, idepth_at(i), sigma(), std::min(p_.views, q_.views),
+    return {chain_[i].node.edge_pixel, idepth_at(i), sigma_at(i), std::min(p_.views, q_.views),
             p_.is_outline && q_.is_outline};
   }
 
  private:
-  double sigma() const { return std::max(p_.idepth_sigma, q_.idepth_sigma); }
-  double idepth_at(size_t i) const {
-    const double share = chord_.dot(position(edges_, chain_[i]) - start_) / chord_.squaredNorm();
-    return p_.idepth + share * (q_.idepth - p_.idepth);
+  double share_at(size_t i) const {
+    return chord_.dot(position(edges_, chain_[i]) - start_) / chord_.squaredNorm();
+  }
+  double idepth_at(size_t i) const { return p_.idepth + share_at(i) * (q_.idepth - p_.idepth); }
+  // As if both ends had the same error: at most so much.
+  double sigma_at(size_t i) const {
+    return p_.idepth_sigma + share_at(i) * (q_.idepth_sigma - p_.idepth_sigma);
   }
 
   const ImageEdges& edges_;

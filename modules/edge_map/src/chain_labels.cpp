@@ -12,7 +12,6 @@ namespace {
 // Costs in units of views that do not show the edge.
 constexpr double kNoneShare = 0.5;    // of the views that contain the pixel, if it has no depth
 constexpr double kNoneAtLeast = 1.0;  // lower bound where few views contain it
-constexpr double kBreak = 1.5;        // a jump in depth
 constexpr double kBeginOrEnd = 0.5;   // from a depth to none, or back
 // Where an edge continues, inverse depths of neighbours two pixels apart differ by this share plus their
 // standard deviations: an edge that leads away at 60 degrees does so 20 pixels from the focus of expansion.
@@ -40,8 +39,8 @@ bool is_break(const ChainNode& a, int la, const ChainNode& b, int lb) {
 double step_cost(const ChainNode& a, int la, const ChainNode& b, int lb) {
   if (la < 0 && lb < 0) return 0;
   if (la < 0 || lb < 0) return kBeginOrEnd;
-  constexpr double kWeight = kBreak / 9;  // reaches the cost of a break at three standard deviations
-  return std::min(kBreak, kWeight * squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]));
+  constexpr double kWeight = kBreakCost / 9;  // reaches the cost of a break at three standard deviations
+  return std::min(kBreakCost, kWeight * squared_jump(a.hypotheses[size_t(la)], b.hypotheses[size_t(lb)]));
 }
 
 }  // namespace

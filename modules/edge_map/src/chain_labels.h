@@ -15,6 +15,9 @@ struct ChainNode {
   std::vector<Hypothesis> hypotheses;
 };
 
+/// Cost of a jump in depth from one node to the next, in views that do not show the edge.
+constexpr double kBreakCost = 1.5;
+
 /// Selected hypotheses of a chain.
 struct ChainLabels {
   /// Number of the hypothesis of each node; -1: none.

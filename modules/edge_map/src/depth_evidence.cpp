@@ -89,19 +89,59 @@ EDGEVO_INLINE int project(const SightGroup& sight, const ViewGroup& view, double
   return used;
 }
 
-// Finds the edge nearest to the point in one view, and compares what does not depend on the distance.
-EDGEVO_INLINE void look_up(const EdgeSight& sight, const SightGroup& lines, const ViewGeometry& view,
-                           size_t v, LookGroup* look) {
-  look->fits[v] = 0;
-  const int j = view.level->field.nearest_at(look->column[v], look->row[v]);
-  if (j < 0) return;
-  const EdgePixel& e = view.level->edges.pixels[size_t(j)];
-  if (!is_like_direction(lines.normal[0][v], lines.normal[1][v], e)) return;
-  const SideChange change = compare_sides(sight.sides, view, size_t(j));
-  look->e_x[v] = double(e.x), look->e_y[v] = double(e.y);
-  look->nx[v] = double(e.nx), look->ny[v] = double(e.ny);
-  look->fits[v] = -int64_t(!(change.dark && change.bright));
-  look->dark_differs[v] = -int64_t(change.dark), look->bright_differs[v] = -int64_t(change.bright);
+// A point to look up in one view.
+struct LookUp {
+  const ViewGeometry* view;
+  LookGroup* look;
+  const SightGroup* lines;
+  size_t lane;
+  int at;  // first the pixel of the nearest edge, then its edge pixel; -1: none
+};
+
+// Compares what does not depend on the distance with the edge that was found.
+EDGEVO_INLINE void compare(const EdgeSight& sight, const LookUp& up) {
+  const size_t v = up.lane;
+  up.look->fits[v] = 0;
+  if (up.at < 0) return;
+  const EdgePixel& e = up.view->level->edges.pixels[size_t(up.at)];
+  if (!is_like_direction(up.lines->normal[0][v], up.lines->normal[1][v], e)) return;
+  const SideChange change = compare_sides(sight.sides, *up.view, size_t(up.at));
+  up.look->e_x[v] = double(e.x), up.look->e_y[v] = double(e.y);
+  up.look->nx[v] = double(e.nx), up.look->ny[v] = double(e.ny);
+  up.look->fits[v] = -int64_t(!(change.dark && change.bright));
+  up.look->dark_differs[v] = -int64_t(change.dark), up.look->bright_differs[v] = -int64_t(change.bright);
+}
+
+// What the next pixel of the edge will read, next to what this one does.
+EDGEVO_INLINE void prefetch_next(const EdgeSight& sight, const PyramidLevel& level, int pixel) {
+  const int next = pixel + int(sight.to_next.y()) * level.edges.width + int(sight.to_next.x());
+  if (next >= 0 && next < level.edges.width * level.edges.height) level.field.prefetch_edge(next);
+}
+EDGEVO_INLINE void prefetch_edges(const EdgeSight& sight, const std::vector<EdgePixel>& edges, int at) {
+  prefetch(&edges[size_t(at)]);
+  prefetch(&edges[size_t(std::max(0, at - sight.step))]);
+  prefetch(&edges[std::min(edges.size() - 1, size_t(at + sight.step))]);
+}
+
+// Finds the edge nearest to each point. What is read lies nowhere near in memory, and each read depends on
+// the one before: in turn for all views, they wait for memory together.
+EDGEVO_INLINE void look_up(const EdgeSight& sight, LookUp* begin, LookUp* end) {
+  for (LookUp* up = begin; up != end; ++up) {
+    const float x = float(up->look->column[up->lane]), y = float(up->look->row[up->lane]);
+    const PyramidLevel& level = *up->view->level;
+    up->at = level.field.nearest_pixel(x, y);
+    level.field.prefetch_pixel(x + sight.to_next.x(), y + sight.to_next.y());
+    if (up->at < 0) continue;
+    level.field.prefetch_edge(up->at);
+    prefetch_next(sight, level, up->at);
+  }
+  for (LookUp* up = begin; up != end; ++up) {
+    if (up->at < 0) continue;
+    up->at = up->view->level->field.edge_at(up->at);
+    prefetch_edges(sight, up->view->level->edges.pixels, up->at);
+    prefetch(&(*up->view->sides)[size_t(up->at)]);
+  }
+  for (const LookUp* up = begin; up != end; ++up) compare(sight, *up);
 }
 
 // One equation for the inverse depth from each of four views.
@@ -130,7 +170,7 @@ EDGEVO_INLINE void add_equations(const LookGroup& look, const ViewGroup& view, d
 
 // weigh() for one inverse depth. Points that stay at their pixel are not looked up again.
 EDGEVO_WIDE_CLONES int look_at_views(const EdgeSight& sight, const ViewSet& set, double idepth, double reach,
-                                     int most, LookGroup* looks, EquationSums* sums) {
+                                     int most, LookGroup* looks, LookUp* ups, EquationSums* sums) {
   const Pinhole& size = set.views.front().level->pinhole;
   const Bounds bounds{kEdgeBorderPx, size.width - 1 - kEdgeBorderPx, size.height - 1 - kEdgeBorderPx};
   int in_view = 0;
@@ -138,9 +178,15 @@ EDGEVO_WIDE_CLONES int look_at_views(const EdgeSight& sight, const ViewSet& set,
   for (; groups < set.groups.size() && in_view < most; ++groups)
     in_view +=
         project(sight.lines[groups], set.groups[groups], idepth, bounds, most - in_view, &looks[groups]);
+  LookUp* end = ups;
   for (size_t g = 0; g < groups; ++g)
     for (size_t v = 0; v < kViewsAtOnce; ++v)
-      if (looks[g].is_new[v]) look_up(sight, sight.lines[g], set.views[g * kViewsAtOnce + v], v, &looks[g]);
+      if (looks[g].is_new[v]) {
+        const ViewGeometry& view = set.views[g * kViewsAtOnce + v];
+        view.level->field.prefetch_pixel(float(looks[g].column[v]), float(looks[g].row[v]));
+        *end++ = {&view, &looks[g], &sight.lines[g], v, -1};
+      }
+  look_up(sight, ups, end);
   for (size_t g = 0; g < groups; ++g) add_equations(looks[g], set.groups[g], idepth, reach, sums);
   return in_view;
 }
@@ -187,14 +233,16 @@ std::vector<EdgeSides> sample_sides(const PyramidLevel& level) {
 Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Guess guess, double max_idepth,
                  const EdgeMapParams& params) {
   thread_local std::vector<LookGroup> looks;
-  looks.resize(set.groups.size());
+  thread_local std::vector<LookUp> ups;
+  looks.resize(set.groups.size()), ups.resize(kViewsAtOnce * set.groups.size());
   forget(&looks);
   Hypothesis h;
   for (int pass = int(guess); pass < kLooks; ++pass) {
     EquationSums sums;
     h.idepth = idepth;
     if (!set.views.empty())
-      h.in_view = look_at_views(sight, set, idepth, kReachPx[pass], params.views, looks.data(), &sums);
+      h.in_view =
+          look_at_views(sight, set, idepth, kReachPx[pass], params.views, looks.data(), ups.data(), &sums);
     h.views = count(sums.views);
     h.informative = count(sums.informative);
     h.dark_differs = count(sums.dark_differs), h.bright_differs = count(sums.bright_differs);
@@ -206,12 +254,13 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
   return h;
 }
 
-double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double max_idepth,
-                            const EdgeMapParams& params) {
+double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double own,
+                            double max_idepth, const EdgeMapParams& params) {
   const auto look = [&](double at) { return weigh(sight, set, at, Guess::kExact, max_idepth, params); };
-  const Hypothesis here = look(idepth), farther = look(0.5 * idepth), nearer = look(2 * idepth);
-  const auto likelihood = [&](const Hypothesis& h) { return std::exp(log_likelihood(h, here.in_view)); };
-  return log_likelihood(here, here.in_view) - std::log(0.5 * (likelihood(farther) + likelihood(nearer)));
+  const Hypothesis here = look(idepth);
+  const auto likelihood = [&](double at) { return std::exp(log_likelihood(look(at), here.in_view)); };
+  const double elsewhere = 0.5 * (likelihood(0.5 * idepth) + likelihood(2 * idepth));
+  return log_likelihood(here, here.in_view) - std::log(std::max(elsewhere, own > 0 ? likelihood(own) : 0));
 }
 
 }  // namespace edgevo

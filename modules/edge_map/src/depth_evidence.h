@@ -41,6 +41,10 @@ struct Hypothesis {
 /// Edge pixel of the host with its sight lines.
 struct EdgeSight {
   Eigen::Vector2d px, normal;
+  /// From here to the pixel of the edge that is looked at next, and their distance along it: what is read for
+  /// that one is prefetched.
+  Eigen::Vector2f to_next = Eigen::Vector2f::Zero();
+  int step = 0;
   EdgeSides sides;
   /// Sight lines in the groups of views.
   std::vector<SightGroup> lines;
@@ -62,10 +66,10 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
                  const EdgeMapParams& params);
 
 /// Logarithm of the likelihood of what the views show if the edge has this inverse depth, over that if it
-/// lies elsewhere along its ray, half as far or twice. Views in which depth does not move the point show the
-/// same for each, and so say nothing.
-double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double max_idepth,
-                            const EdgeMapParams& params);
+/// lies elsewhere along its ray: half as far, twice, or at its `own` inverse depth, unless that is 0. Views
+/// in which depth does not move the point show the same for each, and so say nothing.
+double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double own,
+                            double max_idepth, const EdgeMapParams& params);
 
 /// Whether an edge of another image may be that of the host, whose normal (dark to bright) is expected to
 /// look like this there: the host's, turned by ViewGeometry::turn.

@@ -61,7 +61,7 @@ class DepthSearch {
       node.at = i - chain.begin;
       reached(i, EdgeStage::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
-      if (i - last_search >= kSearchEveryPx) search(&node), last_search = i;
+      if (i - last_search >= kSearchEveryPx && !has_sure_depth(node)) search(&node), last_search = i;
       keep_best(&node.hypotheses);
       nodes.push_back(std::move(node));
     }
@@ -71,6 +71,8 @@ class DepthSearch {
   void look_from(int i) {
     const EdgePixel& e = level_.edges.pixels[size_t(i)];
     sight_.px = e.position().cast<double>();
+    const size_t next = std::min(size_t(i + params_.step_px), level_.edges.pixels.size() - 1);
+    sight_.to_next = level_.edges.pixels[next].position() - e.position(), sight_.step = params_.step_px;
     sight_.normal = e.normal().cast<double>();
     sight_.sides = sides_[size_t(i)];
     look_along(set_, sight_.px, sight_.normal, &sight_.lines);
@@ -94,6 +96,13 @@ class DepthSearch {
 
   void carry_along(const ChainNode& from, ChainNode* to) const {
     for (const Hypothesis& h : from.hypotheses) try_out(h.idepth, Guess::kCarriedAlong, to);
+  }
+
+  // Whether views show a carried depth so well that until the next search no other could pay for a jump.
+  bool has_sure_depth(const ChainNode& node) const {
+    const double nodes = double(kSearchEveryPx) / params_.step_px;
+    return std::any_of(node.hypotheses.begin(), node.hypotheses.end(),
+                       [&](const Hypothesis& h) { return nodes * h.cost < kBreakCost; });
   }
 
   void search(ChainNode* node) const {
@@ -198,12 +207,13 @@ class DepthSearch {
   }
 
   void lay_on_plane() {
-    const WeighNode weigh_node = [this](const FinalNode& s, double idepth) {
+    const WeighNode weigh_node = [this](const FinalNode& s, double idepth, double own) {
       look_from(s.node.edge_pixel);
       const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
-      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
-                          h.views > 0 && log_likelihood_ratio(sight_, set_, idepth, max_idepth_, params_) > 0,
-                          h.views >= params_.min_views};
+      return NodeEvidence{
+          h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
+          h.views > 0 && log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_) > 0,
+          h.views >= params_.min_views};
     };
     edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, plane_,
                          &chains_);

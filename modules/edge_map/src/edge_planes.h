@@ -21,8 +21,8 @@ struct PlaneSample {
   /// Standard deviations of the error of its own, and of the one that it shares with others.
   double noise = 0, common = 0;
 
-  /// Both together.
-  double sigma() const;
+  /// Of both together.
+  double variance() const { return noise * noise + common * common; }
 };
 
 /// Inverse depth at a pixel, with its standard deviation.

@@ -66,39 +66,36 @@ double crossing(const EdgeSight& sight, const ViewGeometry& view, const Eigen::V
   return change.dark && change.bright ? -1 : at;
 }
 
-// Pixels to go without missing an edge, by the squared distance of the nearest one; 0: it is near.
-std::vector<double> make_steps() {
-  constexpr int kMaxSquared = NearestField::kMaxRadius * NearestField::kMaxRadius + 1;
-  std::vector<double> steps;
-  for (int square = 0; square <= kMaxSquared; ++square) {
-    const double distance = std::sqrt(double(square));
-    steps.push_back(distance > kNearPx ? std::max(1.0, distance - kNearPx) : 0);
-  }
-  return steps;
-}
+// An edge next to the line.
+struct NearEdge {
+  double s;  // position on the line
+  int at;    // first its pixel, then its edge pixel
+};
 
-EDGEVO_WIDE_CLONES void walk_along(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line,
-                                   const Segment& segment, double max_idepth, const double* steps,
-                                   std::vector<double>* idepths) {
-  const Eigen::Vector2d normal = view.turn * sight.normal;
-  const NearestField& field = view.level->field;
-  double last = -kStepPast;
-  for (double s = 0; s <= segment.length;) {
+// The edges next to the line, in its order. Even steps, as no read waits for another: longer ones where no
+// edge is near take as long.
+EDGEVO_WIDE_CLONES void walk_along(const NearestField& field, const Segment& segment,
+                                   std::vector<NearEdge>* near) {
+  for (double s = 0; s <= segment.length; s += kStepPast) {
     const Eigen::Vector2d p = segment.start + s * segment.direction;
     const float x = float(p.x()), y = float(p.y());
-    const double step = steps[field.squared_distance(x, y)];
-    if (step > 0) {
-      s += step;
-      continue;
-    }
-    const int j = field.nearest_at(int(x + 0.5f), int(y + 0.5f));
-    const double at = crossing(sight, view, normal, segment, s, size_t(j));
-    if (at >= 0 && at <= segment.length && at > last + kStepPast) {
-      const double idepth = line.idepth_at(segment.start + at * segment.direction, segment.direction);
-      if (idepth > 0 && idepth <= max_idepth) idepths->push_back(idepth);
-      last = at;
-    }
-    s += kStepPast;
+    if (field.squared_distance(x, y) > kNearPx * kNearPx) continue;
+    near->push_back({s, field.nearest_pixel(x, y)});
+    field.prefetch_edge(near->back().at);
+  }
+}
+
+void add_crossings(const EdgeSight& sight, const ViewGeometry& view, const SightLine& line,
+                   const Segment& segment, const std::vector<NearEdge>& near, double max_idepth,
+                   std::vector<double>* idepths) {
+  const Eigen::Vector2d normal = view.turn * sight.normal;
+  double last = -kStepPast;
+  for (const NearEdge& e : near) {
+    const double at = crossing(sight, view, normal, segment, e.s, size_t(e.at));
+    if (at < 0 || at > segment.length || at <= last + kStepPast) continue;
+    const double idepth = line.idepth_at(segment.start + at * segment.direction, segment.direction);
+    if (idepth > 0 && idepth <= max_idepth) idepths->push_back(idepth);
+    last = at;
   }
 }
 
@@ -106,11 +103,17 @@ EDGEVO_WIDE_CLONES void walk_along(const EdgeSight& sight, const ViewGeometry& v
 
 bool find_crossings(const EdgeSight& sight, const ViewGeometry& view, double max_idepth,
                     std::vector<double>* idepths) {
-  static const std::vector<double> steps = make_steps();
   const SightLine line(view, sight.px);
   const Segment segment = visible_segment(view.level->pinhole, line, max_idepth);
   if (segment.length < kMinLengthPx) return false;
-  walk_along(sight, view, line, segment, max_idepth, steps.data(), idepths);
+  thread_local std::vector<NearEdge> near;
+  near.clear();
+  walk_along(view.level->field, segment, &near);
+  for (NearEdge& e : near) {
+    e.at = view.level->field.edge_at(e.at);
+    prefetch(&view.level->edges.pixels[size_t(e.at)]);
+  }
+  add_crossings(sight, view, line, segment, near, max_idepth, idepths);
   return true;
 }
 

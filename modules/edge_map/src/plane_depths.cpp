@@ -22,7 +22,9 @@ PlaneSample sample_of(const EdgePixel& e, const FinalNode& s) {
 PlaneSample sample_of(const Eigen::Vector2d& px, const NodeEvidence& e) {
   return {px, e.hypothesis.idepth, 1 / std::sqrt(std::max(e.hypothesis.information, 1e-12)), e.common};
 }
-bool is_useful(const PlaneSample& s) { return s.sigma() <= kSampleShare * s.idepth; }
+bool is_useful(const PlaneSample& s) {
+  return s.variance() <= kSampleShare * kSampleShare * s.idepth * s.idepth;
+}
 
 // Where edges lie on the plane, and where they do not.
 class PlaneArea {
@@ -124,13 +126,13 @@ class PlaneLayer {
     for (FinalChain& chain : chains_)
       for (FinalNode& s : chain) {
         const EdgePixel& e = pixel_of(s);
-        if (s.node.idepth > 0 && !plane_.holds(sample_of(e, s))) continue;
-        if (s.certain == Certain::kByViews) samples.push_back(sample_of(e, s));
-        if (s.is_known()) continue;
+        const bool is_off = s.node.idepth > 0 && !plane_.holds(sample_of(e, s));
+        if (s.certain == Certain::kByViews && !is_off) samples.push_back(sample_of(e, s));
+        if (s.is_known() && !is_off) continue;
         const Eigen::Vector2d px = e.position().cast<double>();
         const double idepth = plane_.at(px).idepth;
         if (!(idepth > 0) || idepth > limits_.max_idepth || area_.is_mostly_off(px)) continue;
-        const NodeEvidence evidence = weigh_node(s, idepth);
+        const NodeEvidence evidence = weigh_node(s, idepth, is_off ? s.node.idepth : 0);
         if (!evidence.is_likely) continue;
         candidates_.push_back({&s, sample_of(px, evidence), evidence.hypothesis});
         if (evidence.is_measured && is_useful(candidates_.back().sample))

@@ -17,12 +17,13 @@ struct NodeEvidence {
   Hypothesis hypothesis;
   /// Standard deviation of the error that all views share.
   double common = 0;
-  /// Whether the views show the edge there rather than elsewhere along its ray.
+  /// Whether the views show the edge there rather than elsewhere along its ray, or at its own depth.
   bool is_likely = false;
   /// Whether they have moved it, enough of them, from the depth that was given.
   bool is_measured = false;
 };
-using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
+/// `own`: the node's inverse depth if it differs, else 0.
+using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth, double own)>;
 
 struct PlaneLimits {
   double max_idepth = 0;

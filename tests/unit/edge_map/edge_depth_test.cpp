@@ -78,9 +78,9 @@ TEST(EdgeDepth, ASingleImageGivesNoDepth) {
   EXPECT_TRUE(depths_of(12, {12, 12, 12, 12}, EdgeMapParams()).empty());  // no baseline
 }
 
-// Share of the edge pixels whose depth, times `factor`, is likelier than elsewhere along the ray, and that of
-// those of which views say nothing.
-std::pair<double, double> likely_share(const std::vector<int>& frames, double factor) {
+// Share of the edge pixels whose depth, times `factor`, is likelier than elsewhere along the ray, or than
+// times `own` unless that is 0, and share of those of which views say nothing.
+std::pair<double, double> likely_share(const std::vector<int>& frames, double factor, double own = 0) {
   std::vector<EdgeView> views;
   for (const int f : frames) views.push_back(view_of(12, f));
   const ViewSet set(Sweep::pinhole(), views);
@@ -89,10 +89,11 @@ std::pair<double, double> likely_share(const std::vector<int>& frames, double fa
   int all = 0, likely = 0, silent = 0;
   for (size_t i = 0; i < level.edges.pixels.size(); i += 50, ++all) {
     const EdgePixel& e = level.edges.pixels[i];
-    EdgeSight sight{e.position().cast<double>(), e.normal().cast<double>(), sides[i], {}};
+    EdgeSight sight;
+    sight.px = e.position().cast<double>(), sight.normal = e.normal().cast<double>(), sight.sides = sides[i];
     look_along(set, sight.px, sight.normal, &sight.lines);
-    const double ratio =
-        log_likelihood_ratio(sight, set, factor * Sweep::idepth(12, sight.px), 10, EdgeMapParams());
+    const double truth = Sweep::idepth(12, sight.px);
+    const double ratio = log_likelihood_ratio(sight, set, factor * truth, own * truth, 10, EdgeMapParams());
     likely += ratio > 0, silent += ratio == 0;
   }
   return {double(likely) / all, double(silent) / all};
@@ -104,6 +105,11 @@ TEST(EdgeDepth, ViewsSayWhereAnEdgeIsOnlyWhereDepthMovesIt) {
   EXPECT_GT(right, 0.6);
   EXPECT_LT(wrong, 0.5 * right);
   EXPECT_EQ(likely_share({12, 12, 12}, 1).second, 1);  // no baseline
+}
+
+TEST(EdgeDepth, ADepthIsContestedByTheOneAnEdgeHas) {
+  EXPECT_GT(likely_share(kAround, 1, 1.4).first, 0.6);
+  EXPECT_LT(likely_share(kAround, 1.4, 1).first, 0.1);
 }
 
 TEST(EdgeDepth, NothingIsNearerThanAllowed) {
