@@ -84,9 +84,11 @@ std::string finding(const CameraRefinement& c) {
   if (c.correction.keeps_lens()) return finding_of_k1(c) + ": the camera stays as it was";
   if (c.correction.focal == 0) return finding_of_k1(c);
   return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * c.lens.focal_sigma, 1) +
-         " % off the file's, by corners in " + std::to_string(c.focal_length.windows) +
-         " windows of views and the matches of " + std::to_string(c.lens.keyframes) + " keyframes; " +
-         finding_of_k1(c);
+         " % off the file's, by " +
+         (c.focal_length.windows > 0
+              ? "corners in " + std::to_string(c.focal_length.windows) + " windows of views and "
+              : std::string()) +
+         "the matches of " + std::to_string(c.lens.keyframes) + " keyframes; " + finding_of_k1(c);
 }
 
 std::string run_calibration_text(const RunCalibration& run, const FoldedCamera& corrected) {

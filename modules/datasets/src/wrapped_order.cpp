@@ -121,12 +121,12 @@ void order_by_counter(Sequence* sequence) {
   for (const std::string& image : sequence->images)
     stems.push_back(std::filesystem::path(image).stem().string());
   std::vector<double> numbers;
-  size_t digits = 0;
+  double period = 1;  // the power of ten above the largest: names may have a zero before (DSC09999, DSC00001)
   for (const std::string& number : last_numbers(stems)) {
     numbers.push_back(std::strtod(number.c_str(), nullptr));
-    digits = number.size();
+    while (std::isfinite(period) && period <= numbers.back()) period *= 10;
   }
-  const auto first = begin_before_wrap(numbers, std::pow(10., double(digits)));
+  const auto first = begin_before_wrap(numbers, period);
   if (first && follow_when_exchanged(sequence->images, *first))
     move_to_the_front(*first, "the counter in the names begins again, and the images there are alike",
                       sequence);

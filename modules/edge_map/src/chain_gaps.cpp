@@ -70,7 +70,8 @@ class Bridge {
   double idepth_at(size_t i) const { return p_.idepth + share_at(i) * (q_.idepth - p_.idepth); }
   // As if both ends had the same error: at most so much.
   double sigma_at(size_t i) const {
-    return p_.idepth_sigma + share_at(i) * (q_.idepth_sigma - p_.idepth_sigma);
+    const double share = std::clamp(share_at(i), 0.0, 1.0);  // a chain may step back along the chord
+    return p_.idepth_sigma + share * (q_.idepth_sigma - p_.idepth_sigma);
   }
 
   const ImageEdges& edges_;

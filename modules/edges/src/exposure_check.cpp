@@ -39,7 +39,7 @@ class Alternation {
     const double more = double(next - second);
     sum_ += more, squares_ += more * more;
   }
-  // Beyond what noise gives in two images of a run that follow each other.
+  // Beyond what noise gives: one image in 700, two that follow each other never.
   bool is_certain() const {
     constexpr double kSigmas = 3;
     return sum_ > 0 && sum_ * sum_ > kSigmas * kSigmas * squares_;
@@ -126,7 +126,8 @@ void ExposureCheck::keep(const std::vector<uint8_t>& pixels) {
 
 ImageExposure ExposureCheck::add(const GrayImage& image) {
   const View view = image.view();
-  if (before_[0].pixels.size() != image.pixels.size()) before_ = {};
+  if (width_ != image.width || height_ != image.height) before_ = {};
+  width_ = image.width, height_ = image.height;
   if (is_blank(image)) return {std::exchange(was_blank_, true) ? ImageFault::kNone : ImageFault::kBlank, {}};
   was_blank_ = false;
   const ImageRows before = rows_of(&before_[0], view), before_that = rows_of(&before_[1], view);
@@ -134,10 +135,11 @@ ImageExposure ExposureCheck::add(const GrayImage& image) {
   if (before.size() == image.height) return {ImageFault::kRepeated, {}};
   const ImageRows& old = before.empty() ? before_that : before;
   if (!old.empty() && old.size() < image.height) return {ImageFault::kTorn, old};
+  if (pattern_ != ImageFault::kNone) return {pattern_, {}};
   const ImageFault found = pattern_of(view);
   if (found == newest_pattern_ && found != ImageFault::kNone) pattern_ = found;
   newest_pattern_ = found;
-  return {found == ImageFault::kNone ? pattern_ : found, {}};
+  return {found, {}};
 }
 
 GrayImage first_field(const GrayImage& image) {

@@ -177,7 +177,7 @@ void RunBuilder::describe_doubt(int frame, int later_frame, EpochBegan* began) c
        ++next) {
     const Row& between = row(next->second);
     variance += unit_variance_of(between.mapping);
-    began->is_doubted |= !between.anchor || is_doubtful(between.frame);
+    began->is_doubted |= !between.anchor || is_map_in_doubt(between.frame);
   }
   began->unit_sigma = std::sqrt(variance);
 }
@@ -250,7 +250,7 @@ std::vector<TimedPose> RunBuilder::last_trusted_poses(int segment, int last_fram
   for (auto row = rows_.rbegin(); row != rows_.rend() && poses.size() < count; ++row) {
     const FrameRecord& f = row->frame;
     if (f.index > last_frame || f.segment > segment) continue;
-    if (f.segment == segment && f.T_world_cam_live && !is_doubtful(f))
+    if (f.segment == segment && f.T_world_cam_live && !is_map_in_doubt(f))
       poses.push_back({f.time, *f.T_world_cam_live});
     else
       poses.clear();

@@ -21,9 +21,12 @@ EarlierMap::EarlierMap(const std::string& path, const Pinhole& pinhole, double m
 bool EarlierMap::is_placed_by(const std::vector<std::shared_ptr<const MapEvent>>& events) {
   const bool was_placed = is_placed_;
   for (const auto& event : events) {
-    const auto* added = std::get_if<ConstraintAdded>(event.get());
-    is_found_ |= added && added->constraint.from == NodeId::world();
-    is_placed_ |= is_found_ && std::holds_alternative<EpochsPlaced>(*event);
+    if (const auto* added = std::get_if<ConstraintAdded>(event.get());
+        added && added->constraint.from == NodeId::world())
+      found_.insert(added->id);
+    if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(event.get())) found_.erase(withdrawn->id);
+    if (const auto* placed = std::get_if<EpochsPlaced>(event.get()))
+      is_placed_ |= !found_.empty() && *found_.begin() <= placed->newest_constraint;
   }
   return is_placed_ && !was_placed;
 }

@@ -2,6 +2,7 @@
 #pragma once
 // The map of an earlier run that a recording is placed in.
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,8 @@ class EarlierMap {
  private:
   std::shared_ptr<const PlaceStore> places_;
   std::vector<std::string> warnings_;
-  bool is_metric_ = false, is_found_ = false, is_placed_ = false;
+  std::set<int> found_;  // the constraints that say so
+  bool is_metric_ = false, is_placed_ = false;
 };
 
 }  // namespace edgevo

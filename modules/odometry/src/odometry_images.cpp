@@ -31,9 +31,10 @@ FrameRecord Odometry::Impl::process(const Frame& frame) {
   if (const char* why = why_unused(exposure.fault, state.has_pose()))
     return pass_over(frame, why, exposure.fault);
   order = next;
-  const bool is_mosaic = exposure.fault == ImageFault::kMosaic;
-  if (!is_mosaic && exposure.fault != ImageFault::kInterlaced) return use(frame, exposure);
-  if (!std::exchange(is_patterned, true))
+  const ImageFault pattern = exposure.fault == ImageFault::kTorn ? exposures.pattern() : exposure.fault;
+  const bool is_mosaic = pattern == ImageFault::kMosaic;
+  if (!is_mosaic && pattern != ImageFault::kInterlaced) return use(frame, exposure);
+  if (std::exchange(reported_pattern, pattern) != pattern)
     report(frame, is_mosaic ? "the image is a mosaic of colours: it is smoothed to gray"
                             : "the image is interlaced: every second row of it is used");
   Frame usable = frame;

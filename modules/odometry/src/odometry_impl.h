@@ -128,7 +128,7 @@ struct Odometry::Impl {
   bool camera_published = false;
   bool frame_published = false;   // the record of the newest frame as it is now
   bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
-  bool is_patterned = false;      // interlaced or a mosaic: which was reported
+  ImageFault reported_pattern = ImageFault::kNone;
   bool is_closed = false, is_finished = false;
   RealtimeRecord skipped_work;  // once it is closed
 };

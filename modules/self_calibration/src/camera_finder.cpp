@@ -20,8 +20,8 @@ using State = CameraRefinement::State;
 constexpr double kMaxUsefulSigma = 0.004;
 // Seconds: a read-out time with a larger one is not observable, a quarter of the 20 ms of a webcam.
 constexpr double kMaxUsefulReadoutSigma = 0.005;
-// Standard deviations below which an applied read-out time is given up: found early in bad light, it may turn
-// out to be zero. Half of the threshold for applying one, so that it does not alternate.
+// Standard deviations below which an applied read-out time or focal length is given up: found early in bad
+// light, it may turn out to be zero. Half of the threshold for applying one, so that it does not alternate.
 constexpr double kMinSignificance = 1.5;
 // Factor on an estimated change of the read-out time. Matches found in images with rolling-shutter distortion
 // bias the estimates: they come out a fifth to a half short and approach the truth step by step
@@ -85,7 +85,8 @@ class CameraFinder {
     const CameraEstimate e = estimate_camera(start, s, options_);
     if (!e.usable || is_at_limit(e.value.correction.focal)) return;
     const FocalPosterior posterior = focal_posterior(known_, e);
-    const bool is_improbable = std::abs(posterior.mean) > params_.significance * posterior.sigma_in_use;
+    const double significance = in_use == 0 ? params_.significance : kMinSignificance;
+    const bool is_improbable = std::abs(posterior.mean) > significance * posterior.sigma_in_use;
     const bool is_to_change = is_improbable || in_use != 0;
     if (is_improbable && !posterior.do_matches_agree) return;
     if (is_to_change && !is_better(start, e)) return;

@@ -184,14 +184,4 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
   return e;
 }
 
-std::optional<CameraLook> look_from(const CameraProblem& problem, const CameraEstimate& e,
-                                    const CameraSearch& search, const BaOptions& options) {
-  const IdealPoints points = ideal_points(problem, e.value);
-  const ProfileStep step = ba::profile_step(e.solution, camera_derivative(problem, e.value, points), options);
-  if (!step.usable) return std::nullopt;
-  const Unknowns k = e.value.unknowns();
-  const NewtonStep newton = newton_step(step, search, k, search.free);
-  return CameraLook{k + newton.change, newton.sigma};
-}
-
 }  // namespace edgevo

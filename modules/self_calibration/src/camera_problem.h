@@ -87,14 +87,4 @@ struct CameraEstimate {
 CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch& search,
                                const BaOptions& options);
 
-/// What one Newton step leads to, with its standard deviations; 0 for unknowns that are not free.
-struct CameraLook {
-  ba::Unknowns value = ba::Unknowns::Zero(), sigma = ba::Unknowns::Zero();
-};
-
-/// One Newton step from the minimum `e` with the unknowns and priors of `search`; nothing where it has no
-/// finite solution. Near the minimum it is as good as a search. Cost: less than a solve.
-std::optional<CameraLook> look_from(const CameraProblem& problem, const CameraEstimate& e,
-                                    const CameraSearch& search, const BaOptions& options);
-
 }  // namespace edgevo

@@ -49,7 +49,8 @@ FocalPosterior focal_posterior(const CameraRefinement& known, const CameraEstima
   const double by_matches = e.value.correction.focal, sigma = kSigmasOfMatches * e.sigma[kFocal];
   const double bias = kBiasOfMatches * (by_matches - known.correction.focal);
   const double unbiased_weight = 1 / (sigma * sigma), weight = 1 / (sigma * sigma + bias * bias);
-  const double corner_weight = corners.sigma > 0 ? 1 / (corners.sigma * corners.sigma) : 0;
+  const bool do_corners_count = corners.sigma > 0 && !is_at_limit(corners.estimate);
+  const double corner_weight = do_corners_count ? 1 / (corners.sigma * corners.sigma) : 0;
   FocalPosterior p;
   p.mean = (weight * by_matches + corner_weight * corners.estimate) / (weight + corner_weight);
   p.sigma = 1 / std::sqrt(weight + corner_weight);

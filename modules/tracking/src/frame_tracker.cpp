@@ -122,7 +122,8 @@ TrackResult track_rows(const TrackingTask& task, const PoseCandidate& first, con
   if (task.rows.is_rolling() && !scorer.is_lost(first)) {
     const ReferenceCloud shifted = shift_cloud(
         task.rows.cameras, task.reference.cloud, first.T_cur_ref, task.rows.row_time_s, task.rows.expected,
-        measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist));
+        measured_motion(pinhole_of(task), task.reference, task.rows, first.T_cur_ref, twist,
+                        task.motion.turning()));
     PoseHypothesis hypothesis{first.T_cur_ref, PoseHypothesis::Refinement::kFinestEdges};
     hypothesis.turn = first.turn;
     const PoseCandidate again = align(task.pyramid, shifted, hypothesis, params);
@@ -182,9 +183,11 @@ void measure_pose(const TrackingTask& task, const PoseCandidate& chosen, const S
 }  // namespace
 
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
-                            const SE3& T_cur_ref, const Vector6d& twist) {
-  if (rows.expected.is_known()) return {twist, rows.expected.idepth, rows.expected.turning};
-  return image_motion(pinhole, reference.cloud, T_cur_ref, twist, reference.median_idepth);
+                            const SE3& T_cur_ref, const Vector6d& twist, const Eigen::Vector3d& turning) {
+  if (rows.expected.is_known()) return {twist, rows.expected.idepth, turning};
+  ImageMotion motion = image_motion(pinhole, reference.cloud, T_cur_ref, twist, reference.median_idepth);
+  motion.turning = turning;
+  return motion;
 }
 
 Track track_frame(const TrackingTask& task) {

@@ -237,7 +237,8 @@ TrackedFrame FrontEnd::accept_pose(const ArrivedFrame& now, Track track, bool is
 void FrontEnd::rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked) {
   const TraceScope traced("rows of a keyframe");
   const double start = thread_cpu_ms();
-  tracked->motion = measured_motion(builder_.pinhole(), *reference_, now.rows, tracked->T_cam_ref, twist);
+  tracked->motion = measured_motion(builder_.pinhole(), *reference_, now.rows, tracked->T_cam_ref, twist,
+                                    motion_.turning());
   if (now.rows.is_rolling()) {
     tracked->pyramid = builder_.rebuild(*now.pyramid, tracked->motion);
     for (CornerPair& c : tracked->corners)

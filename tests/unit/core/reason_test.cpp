@@ -27,6 +27,8 @@ TEST(Reason, GivesItsNumbers) {
   EXPECT_EQ(to_string(Reason{ReasonKind::kScaleByCorners, 0.6, 10}), "scale fell by 0.40 within 10 frames");
   EXPECT_EQ(to_string(Reason{ReasonKind::kScaleByCorners, 1.5, 50}),
             "scale grew by a factor of 1.50 within 50 frames");
+  EXPECT_EQ(to_string(Reason{ReasonKind::kTranslationByCorners, 0.4}),
+            "translation over 10 frames differs from the corners' by 40 % of its length");
   EXPECT_EQ(to_string(Reason{ReasonKind::kStep, 1e9}), "a step of 9999 times the usual one");
 }
 

@@ -3,8 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include "edgevo/core/doubtful_frame.h"
+
 namespace edgevo {
 namespace {
+
+TEST(Records, WhatIsDegradedIsDoubtfulButDoesNotThrowDoubtOnTheMap) {
+  FrameRecord frame;
+  frame.state = TrackingState::kTracking;
+  EXPECT_FALSE(is_doubtful(frame));  // p_right is not known
+  frame.p_right = 0.99;
+  EXPECT_FALSE(is_doubtful(frame));
+  frame.state = TrackingState::kDegraded;
+  EXPECT_TRUE(is_doubtful(frame));
+  EXPECT_FALSE(is_map_in_doubt(frame));
+  frame.p_right = 0.5;
+  EXPECT_TRUE(is_map_in_doubt(frame));
+}
 
 TEST(Records, TheMapWorldIsZUpAndXForward) {
   EXPECT_TRUE((T_zup_world() * Eigen::Vector3d::UnitZ()).isApprox(Eigen::Vector3d::UnitX()));   // forward

@@ -62,6 +62,13 @@ TEST_F(ImageSeries, HexadecimalNumbersAreCounted) {
   EXPECT_THAT(decisions_[0].value, HasSubstr("hexadecimal"));
 }
 
+TEST_F(ImageSeries, HexadecimalNumbersThatAreThereTwiceAreNoOrder) {
+  for (const char* number : {"a", "0a", "b1", "1", "c", "2d", "e", "3f"})
+    test::write_text(folder_ / (std::string("x_") + number + ".png"), "");
+  EXPECT_EQ(names().size(), 8u);
+  EXPECT_THAT(decisions_.at(0).reason, HasSubstr("not of one pattern"));
+}
+
 TEST_F(ImageSeries, WordsOfHexadecimalLettersAreNoNumbers) {
   for (const char* word : {"bad", "face", "cafe", "dead", "beef", "fade", "add", "ace", "bee"})
     test::write_text(folder_ / (std::string(word) + ".png"), "");

@@ -75,6 +75,8 @@ TEST_F(FolderOrder, SummerTimeEnds) {
 TEST_F(FolderOrder, ACounterBeginsAgainOnlyIfTheImagesSaySo) {
   const auto wrapped = open({"IMG_9997", "IMG_9998", "IMG_9999", "IMG_0001", "IMG_0002"});
   EXPECT_THAT(order_of(*wrapped), ElementsAre(0, 1, 2, 3, 4));
+  const auto zero_before = open({"DSC09997", "DSC09998", "DSC09999", "DSC00001", "DSC00002"});
+  EXPECT_THAT(order_of(*zero_before), ElementsAre(0, 1, 2, 3, 4));
   const auto gap = open({"IMG_0001", "IMG_0002", "IMG_9997", "IMG_9998", "IMG_9999"});
   EXPECT_THAT(order_of(*gap), ElementsAre(0, 1, 2, 3, 4));
 }

@@ -133,6 +133,14 @@ TEST(ExposureCheck, AMosaicOfColoursIsNotInterlacedAndSmoothedToGray) {
   EXPECT_EQ(flat.pixels, even(75).pixels);
 }
 
+TEST(ExposureCheck, AnotherSizeBeginsAnew) {
+  ExposureCheck check;
+  for (int i = 0; i < 3; ++i) check.add(view(3 * i));
+  GrayImage turned = view(12);
+  std::swap(turned.width, turned.height);
+  EXPECT_NE(check.add(turned).fault, ImageFault::kTorn);
+}
+
 TEST(ExposureCheck, TheNoiseOfABareWallIsNotInterlaced) {
   Random random(1);
   ExposureCheck check;

@@ -69,6 +69,10 @@ TEST(FocalLength, IsThatOfMatchesAndCornersByTheirWeights) {
   EXPECT_LT(later.sigma, 0.012);
 }
 
+TEST(FocalLength, CornersAtTheirLimitDoNotCount) {
+  EXPECT_NEAR(focal_posterior(by_corners(kMaxFocalError, 0.01), by_matches(0.02, 0.01)).mean, 0.02, 1e-12);
+}
+
 TEST(FocalLength, CornersAloneDoNotChangeIt) {
   const auto do_agree = [](double matches) {
     return focal_posterior(by_corners(-0.2, 0.05), by_matches(matches, 0.06)).do_matches_agree;

@@ -285,11 +285,14 @@ TEST_F(FrameTracker, TheMeasuredMotionKeepsTheExpectedDepths) {
   const Pinhole pinhole = scene.pyramid(SE3())->finest().pinhole;
   const Vector6d t = twist(0.1, 0, 0.2, 0, 0, 0);
   RowRectification rows{0.02, {}, scene.camera};
-  EXPECT_EQ(measured_motion(pinhole, reference, rows, SE3(), t).velocity, t);
+  const Eigen::Vector3d turning(1, 2, 3);
+  EXPECT_EQ(measured_motion(pinhole, reference, rows, SE3(), t, turning).velocity, t);
+  EXPECT_EQ(measured_motion(pinhole, reference, rows, SE3(), t, turning).turning, turning);
   rows.expected.velocity = 2 * t;
   rows.expected.idepth.setConstant(0.7);
-  const ImageMotion measured = measured_motion(pinhole, reference, rows, SE3(), t);
+  const ImageMotion measured = measured_motion(pinhole, reference, rows, SE3(), t, turning);
   EXPECT_EQ(measured.velocity, t);
+  EXPECT_EQ(measured.turning, turning);
   EXPECT_EQ(measured.idepth, rows.expected.idepth);
 }
 

@@ -88,11 +88,11 @@ std::string shutter_text(const CameraRefinement::Shutter& shutter, double readou
 
 std::string focal_length_text(const CameraRefinement& camera) {
   const CameraRefinement::FocalLength& f = camera.focal_length;
-  if (f.sigma == 0) return {};
+  const double applied = camera.correction.focal;
+  const std::string outcome = applied != 0 ? fixed(100 * applied, 1) + " % applied." : "not applied.";
+  if (f.sigma == 0) return applied != 0 ? " Focal length by matches: " + outcome : std::string();
   return " Focal length by corners: <b>" + fixed(100 * f.estimate, 1) + " ± " + fixed(100 * f.sigma, 1) +
-         " %</b> off the file's, " +
-         (camera.correction.focal != 0 ? fixed(100 * camera.correction.focal, 1) + " % applied."
-                                       : "not applied.");
+         " %</b> off the file's, " + outcome;
 }
 
 std::string whole_lens_text(const CameraRefinement::Lens& lens) {

@@ -59,8 +59,8 @@ std::string focal_length_statement(const CameraRefinement::FocalLength& f, const
   if (std::abs(f.estimate) < 3 * f.sigma)
     return "not applied: the camera file's is right to three standard deviations of the estimate";
   if (f.windows == f.windows_rejected)
-    return "not applied: corners contradict the camera file, and the matches of the map contradict the "
-           "corners";
+    return "not applied: corners contradict the camera file, and the matches of the map do not "
+           "support them";
   return "NOT APPLIED, although corners contradict the camera file: they did so too late, or the estimate is "
          "at "
          "its limit";

@@ -10,11 +10,15 @@ namespace edgevo {
 /// share/training/fit_trust.cpp).
 inline constexpr double kDoubtfulBelow = 0.7076;
 
-/// Whether the motion around the frame is not to be trusted: p_right is known and below kDoubtfulBelow, or
-/// the frame is LOST, or DEGRADED for too few edges that agree with its pose.
+/// Whether the frame throws doubt on the map: p_right is known and below kDoubtfulBelow, or it is LOST.
+inline bool is_map_in_doubt(const FrameRecord& frame) {
+  return frame.state == TrackingState::kLost || frame.p_right < kDoubtfulBelow;  // false for NaN
+}
+
+/// Whether the pose of the frame or the motion around it is not to be trusted: as is_map_in_doubt(), or it is
+/// DEGRADED for anything else (few edges that agree, a weak direction, a step).
 inline bool is_doubtful(const FrameRecord& frame) {
-  return frame.state == TrackingState::kLost || frame.state == TrackingState::kDegraded ||
-         frame.p_right < kDoubtfulBelow;  // false for NaN
+  return frame.state == TrackingState::kDegraded || is_map_in_doubt(frame);
 }
 
 }  // namespace edgevo

@@ -164,7 +164,7 @@ struct CameraRefinement {
   /// Result for the rolling shutter.
   Shutter shutter;
 
-  /// Result for the focal length, by followed corners (self_calibration/focal_by_corners.h).
+  /// What followed corners show of the focal length (self_calibration/focal_by_corners.h), and its outcome.
   struct FocalLength {
     /// Outcome for the focal length.
     State state = State::kOff;

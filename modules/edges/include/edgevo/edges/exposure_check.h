@@ -51,6 +51,7 @@ class ExposureCheck {
   void keep(const std::vector<uint8_t>& pixels);
 
   std::array<Earlier, 2> before_;  // the image before, and the one before that
+  int width_ = 0, height_ = 0;     // theirs
   double contrast_ = 0;            // of the last image that is not blank, steps of its values
   bool was_blank_ = false;
   ImageFault newest_pattern_ = ImageFault::kNone, pattern_ = ImageFault::kNone;

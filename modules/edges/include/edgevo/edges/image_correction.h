@@ -6,7 +6,7 @@
 //      whose time is that of the frame. An image point x that moves with dx/dt (image_motion.h) appears at
 //          x + t dx/dt + t^2 / 2 d2x/dt2,   t = readout_s row,   row = v / (height - 1) - 1/2,
 //      where the second term is known with a gyro only.
-// Together: x_file = (1 + focal) add_radial(k1, x + readout_s row dx/dt), normalised coordinates. The row v
+// Together: x_file = (1 + focal) add_radial(k1, x + t dx/dt + ...), normalised coordinates. The row v
 // is that of the raw pixel at which the moved point appears; on the way there rows are taken as evenly
 // spaced, which together with the neglected k1 costs a per cent of a shift of a few pixels, and so do the
 // depths of image_motion.h.

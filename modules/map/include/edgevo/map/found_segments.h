@@ -14,7 +14,7 @@ class FoundSegments {
   /// Takes the next event.
   void apply(const MapEvent& event);
   /// Whether poses of this segment in the world are in the kept map: something of it was found there, is not
-  /// withdrawn, and the epochs have been placed by it.
+  /// withdrawn, and the epochs have been placed since it was known.
   bool contains(int segment) const;
 
  private:

@@ -94,8 +94,9 @@ Track add_corners(const TrackingTask& task, const PoseCandidate& by_edges);
 /// The pose T_cur_ref, which is known, with its measurements. Cost: one alignment of edges.
 Track zero_velocity_update(const TrackingTask& task, const SE3& T_cur_ref);
 
-/// Image motion that follows from the pose T_cur_ref and `twist`, with the depths that were expected.
+/// Image motion that follows from the pose T_cur_ref, `twist` and ImageMotion::turning, with the depths that
+/// were expected.
 ImageMotion measured_motion(const Pinhole& pinhole, const Reference& reference, const RowRectification& rows,
-                            const SE3& T_cur_ref, const Vector6d& twist);
+                            const SE3& T_cur_ref, const Vector6d& twist, const Eigen::Vector3d& turning);
 
 }  // namespace edgevo
