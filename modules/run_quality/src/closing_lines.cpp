@@ -49,6 +49,7 @@ std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, b
                              n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines) +
                    run.scale_source});
   add_doubtful(run, &lines);
+  for (const std::string& line : links_in_words(run)) lines.push_back({line});
   add_mistaken(run, &lines);
   for (const std::string& fault : scale_faults_in_words(run)) lines.push_back({"scale: " + fault, true});
   if (n.doubtful_keyframes > 0 && !include_doubtful)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edgevo/core/formatted.h"
 #include "edgevo/run_quality/carried_unit.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
 
@@ -49,6 +50,21 @@ std::vector<GuessedPlace> guessed_places(const Run& run) {
 std::string to_string(const GuessedPlace& guessed) {
   return "frames " + std::to_string(guessed.first_frame) + " to " + std::to_string(guessed.last_frame) +
          ": place and direction are guessed (by " + guessed.by + "): nothing links them to what was before";
+}
+
+std::vector<std::string> links_in_words(const Run& run) {
+  std::vector<std::string> lines;
+  int segment = 0;
+  for (const FrameRecord& frame : run.frames) {
+    if (!frame.T_world_cam || frame.segment <= segment || size_t(frame.segment) >= run.segments.size())
+      continue;
+    segment = frame.segment;
+    const SegmentRecord& placed = run.segments[size_t(segment)];
+    if (!is_guess(placed))
+      lines.push_back(formatted("frames %d on: unit of length and place by %s, to %.0f %%", frame.index,
+                                placed.placed_by.c_str(), 100 * placed.scale_sigma));
+  }
+  return lines;
 }
 
 std::vector<std::string> uncertain_in_words(const Run& run) {

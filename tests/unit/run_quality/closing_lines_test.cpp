@@ -53,6 +53,16 @@ TEST(ClosingLines, AGuessedPlaceIsNotToBeTrustedUpToTheEnd) {
   EXPECT_EQ(closing_lines(run, "out").size(), 2u);
 }
 
+TEST(ClosingLines, WhatAPlaceRestsOnAfterALossIsSaid) {
+  edgevo::Run run = run_with_poses(10, 10);
+  for (size_t i = 0; i < 10; ++i) run.frames[i].segment = i < 6 ? 0 : 1;
+  run.segments = {{"origin", 0}, {"views of both maps", 0.028}};
+  const std::vector<ClosingLine> lines = closing_lines(run, "out");
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_FALSE(lines[1].is_warning);
+  EXPECT_EQ(lines[1].text, "frames 6 on: unit of length and place by views of both maps, to 3 %");
+}
+
 TEST(ClosingLines, AStepOnTheWayToAMapIsNoReason) {
   edgevo::Run run = run_with_poses(10, 0);
   for (size_t i = 0; i < 10; ++i) {

@@ -26,6 +26,10 @@ std::vector<GuessedPlace> guessed_places(const Run& run);
 /// before".
 std::string to_string(const GuessedPlace& guessed);
 
+/// What segments rest on whose place is not guessed, by views of both maps: "frames 81 on: unit of length and
+/// place by views of both maps, to 3 %"; the error of a place grows with the way that was not seen.
+std::vector<std::string> links_in_words(const Run& run);
+
 /// The guessed places and the pure rotations (carried_unit.h) in words: what no doubtful frame shows.
 std::vector<std::string> uncertain_in_words(const Run& run);
 
