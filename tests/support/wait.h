@@ -25,4 +25,9 @@ inline int threads_of_process() {
   return int(std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}));
 }
 
+/// Whether but so many threads are left: Linux lists one that was joined for a moment more.
+inline bool have_ended_down_to(int threads) {
+  return wait_until([=] { return threads_of_process() <= threads; });
+}
+
 }  // namespace edgevo::test
