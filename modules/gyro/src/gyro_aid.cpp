@@ -218,11 +218,9 @@ std::optional<RateOfPoints> GyroAid::rate_of_points(Timestamp time, double reado
   const auto rate = gyro_.rate(t, model.errors);
   if (!rate) return std::nullopt;
   RateOfPoints points{-(model.R_cam_gyro * *rate)};
-  constexpr double kUsualReadout = 0.02;  // seconds, of a shutter that is not known yet
-  const double read = readout_s != 0 ? readout_s : kUsualReadout;
-  const auto first = gyro_.rate(t - 0.5 * read, model.errors),
-             last = gyro_.rate(t + 0.5 * read, model.errors);
-  if (first && last) points.turning = -(model.R_cam_gyro * (*last - *first)) / read;
+  const auto first = gyro_.rate(t - 0.5 * readout_s, model.errors),
+             last = gyro_.rate(t + 0.5 * readout_s, model.errors);
+  if (readout_s != 0 && first && last) points.turning = -(model.R_cam_gyro * (*last - *first)) / readout_s;
   return points;
 }
 

@@ -50,9 +50,8 @@ std::vector<std::string> image_faults_in_words(const Run& run) {
       "interlaced: every second row is of another time, and was not used. De-interlace the video (ffmpeg -vf "
       "yadif), or record progressive frames.");
   add(ImageFault::kMosaic,
-      "raw mosaics of colours (Bayer), and were smoothed to gray. Convert them to gray or colour before, "
-      "which "
-      "is sharper.");
+      "raw mosaics of colours (Bayer), and were smoothed to gray. Converted to gray or colour before, they "
+      "are sharper.");
   add(ImageFault::kRepeated, "those before, once more; their frames have the poses of those.");
   add(ImageFault::kBlank, "blank between others; their frames have no pose of their own.");
   return lines;

@@ -40,6 +40,7 @@ CameraSearch search_for_camera(const CameraRefinement& known, bool with_readout,
   s.free[kReadout] = with_readout;
   s.prior[kReadout] = readout_s;
   s.prior_sigma = of_each(kFile.k1, kMaxReadout, kFile.k2, kFile.focal, 1) / kSigmasOfMatches;
+  // With k2 free, too, k1 is larger than the residual that is applied alone.
   s.limit[kK1] = kMaxK2, s.limit[kFocal] = kMaxFocalError;
   return s;
 }

@@ -22,6 +22,14 @@ Run run_with_poses(int frames, int with_pose) {
   return run;
 }
 
+// The second one begins with frame 6.
+edgevo::Run run_in_two_segments(const SegmentRecord& second) {
+  edgevo::Run run = run_with_poses(10, 10);
+  for (size_t i = 0; i < 10; ++i) run.frames[i].segment = i < 6 ? 0 : 1;
+  run.segments = {{"origin", 0}, second};
+  return run;
+}
+
 TEST(ClosingLines, BeginWithTheCountsAndEndWithTheFolder) {
   const std::vector<ClosingLine> lines = closing_lines(run_with_poses(10, 10), "out");
   ASSERT_EQ(lines.size(), 2u);
@@ -37,9 +45,7 @@ TEST(ClosingLines, WhatIsNotToBeTrustedIsAWarning) {
 }
 
 TEST(ClosingLines, AGuessedPlaceIsNotToBeTrustedUpToTheEnd) {
-  edgevo::Run run = run_with_poses(10, 10);
-  for (size_t i = 0; i < 10; ++i) run.frames[i].segment = i < 6 ? 0 : 1;
-  run.segments = {{"origin", 0}, {"equal speed", 0.5}};
+  edgevo::Run run = run_in_two_segments({"equal speed", 0.5});
   const std::vector<ClosingLine> lines = closing_lines(run, "out");
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[1].is_warning);
@@ -54,9 +60,7 @@ TEST(ClosingLines, AGuessedPlaceIsNotToBeTrustedUpToTheEnd) {
 }
 
 TEST(ClosingLines, WhatAPlaceRestsOnAfterALossIsSaid) {
-  edgevo::Run run = run_with_poses(10, 10);
-  for (size_t i = 0; i < 10; ++i) run.frames[i].segment = i < 6 ? 0 : 1;
-  run.segments = {{"origin", 0}, {"views of both maps", 0.028}};
+  edgevo::Run run = run_in_two_segments({"views of both maps", 0.028});
   const std::vector<ClosingLine> lines = closing_lines(run, "out");
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_FALSE(lines[1].is_warning);

@@ -46,8 +46,8 @@ class GyroAid {
   /// Rotation of the camera between two times; nothing while the gyro is not calibrated or is not used, or
   /// where samples are missing.
   std::optional<CameraTurn> turn(Timestamp begin, Timestamp end) const;
-  /// How points turn around the camera during `readout_s` seconds around `time` (0: not known); nothing as
-  /// turn().
+  /// How points turn around the camera during `readout_s` seconds around `time` (0: of a global shutter, or
+  /// not known); nothing as turn().
   std::optional<RateOfPoints> rate_of_points(Timestamp time, double readout_s) const;
 
   /// The gyro next to the camera; null before it is calibrated.
