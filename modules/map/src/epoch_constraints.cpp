@@ -34,7 +34,7 @@ Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T
   return moved;
 }
 
-Constraint in_world_unit(const Constraint& c, double scale_from, double fails, double times_as_uncertain) {
+Constraint in_world_unit(const Constraint& c, double scale_from, double fails, const UnknownPose& unknown) {
   Constraint place = c;
   place.T_from_to = {1, SE3(c.T_from_to.rigid.rotation(), scale_from * c.T_from_to.rigid.translation())};
   place.centre *= scale_from;
@@ -44,7 +44,10 @@ Constraint in_world_unit(const Constraint& c, double scale_from, double fails, d
   place.covariance.topLeftCorner<6, 6>() =
       unit.asDiagonal() * c.covariance.topLeftCorner<6, 6>() * unit.asDiagonal();
   place.failure.reset();
-  if (fails > 0) place.failure = {fails, variance_of(times_as_uncertain) * place.covariance};
+  if (fails == 0) return place;
+  place.failure = {fails, place.covariance};
+  place.failure->covariance.topLeftCorner<6, 6>() +=
+      covariance_of(scale_from * unknown.position, unknown.rotation, 0).topLeftCorner<6, 6>();
   return place;
 }
 

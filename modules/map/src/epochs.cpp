@@ -20,8 +20,6 @@ namespace {
 // Of a doubt that was groundless: standard deviations of the unit (logarithm), of the rotation, and of the
 // translation as a share of its length. By what corresponds to them in drives without a doubt.
 constexpr double kKeptScale = 0.01, kKeptRotation = rad(0.2), kKeptShare = 0.01;
-// Of a doubt that was right: nothing is known of the unit, a factor of e either way.
-constexpr double kLostScale = 1;
 // Share of doubts that end with another unit: chosen, between the 2 % of right frames that are doubted and
 // the half of provoked failures after which a unit is another one.
 constexpr double kLostProbability = 0.3;
@@ -30,8 +28,8 @@ constexpr double kLostProbability = 0.3;
 // what its speed says by sigmas.
 constexpr double kGuessFails = 0.05, kUnitMistaken = 0.1;
 // Of the place after a doubt whose keyframes are not known (any more), and of a join without a velocity: ten
-// median depths of a first map, and any direction (rad).
-constexpr double kUnknownCourse = 100, kUnknownRotation = 1;
+// median depths of a first map.
+constexpr double kUnknownCourse = 100;
 // Of a join, however slow the camera was: the tolerance of a right motion, 2 % of the median depth of a first
 // map.
 constexpr double kLeastJoin = 0.2;
@@ -40,8 +38,9 @@ constexpr double kMistakenScale = 0.3;
 
 // Of what is known of features before a run: one place of five is mistaken, and where one is, others are.
 constexpr MistakenViews kMistakenViews{0.25, 1};
-// Where a view lies that looks alike: three median depths of a first map.
-constexpr double kMistakenPosition = 30;
+// Where a view lies that looks alike, or a camera whose guess fails: three median depths of a first map, and
+// any direction.
+constexpr UnknownPose kMistaken{30, kUnknownRotation};
 
 double squared(double x) { return x * x; }
 
@@ -75,7 +74,7 @@ void Epochs::begin_segment(const SegmentPlaced& placed, const Sim3& T_world_prev
   epoch.rotation_sigma = is_guess ? placed.rotation_sigma : kUnknownRotation;
   epoch.position_sigma =
       is_guess ? std::max(placed.position_sigma / T_world_previous.scale, kLeastJoin) : kUnknownCourse;
-  epoch.join_sigma = is_guess && placed.scale_sigma > 0 ? placed.scale_sigma : kLostScale;
+  epoch.join_sigma = is_guess && placed.scale_sigma > 0 ? placed.scale_sigma : kUnknownScale;
   if (!epochs_.empty() && is_sound(placed.T_world_map))
     epoch.T_previous = T_world_previous.inverse() * placed.T_world_map;
   epochs_.push_back(std::move(epoch));
@@ -87,7 +86,7 @@ void Epochs::begin_epoch(const EpochBegan& began) {
                                   [&](const Epoch& e) { return e.place.segment == began.segment; });
   if (after == epochs_.rend() || began.first <= after->place.first_keyframe) return;
   Epoch epoch;
-  epoch.place = {began.segment, after->place.epoch + 1, began.first, after->place.T_world_map, kLostScale};
+  epoch.place = {began.segment, after->place.epoch + 1, began.first, after->place.T_world_map, kUnknownScale};
   epoch.last_before = std::min(began.last_before, began.first);
   epoch.unit_sigma = began.unit_sigma;
   epoch.is_doubted = began.is_doubted;
@@ -187,7 +186,7 @@ class Epochs::Solver {
   Constraint continuity_of_unit(size_t i) const {
     Constraint c = join(i, Sim3());
     c.covariance = covariance_of_scale(std::hypot(kKeptScale, epochs_[i].unit_sigma));
-    if (epochs_[i].is_doubted) c.failure = {kLostProbability, covariance_of_scale(kLostScale)};
+    if (epochs_[i].is_doubted) c.failure = {kLostProbability, covariance_of_scale(kUnknownScale)};
     return c;
   }
   Constraint join_of_segment(size_t i) const {
@@ -277,10 +276,10 @@ class Epochs::Solver {
   }
 
   Constraint in_world(const Reduced& r, double fails) const {
-    return in_world_unit(link_of_place(r), scales_[r.from], fails, kWithoutPlace);
+    return in_world_unit(link_of_place(r), scales_[r.from], fails, kMistaken);
   }
   Constraint in_world(size_t i, const Constraint& join) const {
-    return in_world_unit(join, scales_[i - 1], continues(i) ? 0 : kGuessFails, kWithoutPlace);
+    return in_world_unit(join, scales_[i - 1], continues(i) ? 0 : kGuessFails, kMistaken);
   }
 
   // What is expected of a camera by the joins between two epochs alone; nothing if one is not joined.
@@ -304,7 +303,7 @@ class Epochs::Solver {
     std::vector<StatedPose> views;
     for (const Reduced* r : links) views.push_back(state_pose({in_world(*r, 0)}, T_to_cam));
     return views_that_hold(views, expected_pose(first, T_to_cam), known,
-                           {kMistakenPosition * scales_[first.from], kUnknownRotation});
+                           {kMistaken.position * scales_[first.from], kMistaken.rotation});
   }
   // In a scene that repeats itself one mistake makes others more probable.
   void drop_mistaken_places(const std::vector<Reduced>& links, PlacedEpochs* placed) const {
@@ -356,7 +355,7 @@ class Epochs::Solver {
     double unseen = 0, announced = 0;  // variances
     for (size_t i = 1; i < epochs_.size(); ++i) {
       double& sigma = placed->epochs[i].scale_sigma;
-      if (is_bridge(i) && epochs_[i].is_doubted) unseen += kLostProbability * squared(kLostScale);
+      if (is_bridge(i) && epochs_[i].is_doubted) unseen += kLostProbability * squared(kUnknownScale);
       if (constraints_.empty()) announced += squared(epochs_[i].unit_sigma);
       if (constraints_.empty() && !continues(i)) announced += squared(epochs_[i].place.scale_sigma);
       sigma = std::sqrt((constraints_.empty() ? announced : squared(sigma)) + unseen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "keyframe_graph.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -97,11 +98,20 @@ Sim3 into_kept_map(const std::vector<FoundKeyframe>& found, int id) {
       ->T_kept_run;
 }
 
-// One that can be mistaken, unless it says how it may fail.
-Constraint place(const Constraint& given) {
+// One that can be mistaken, unless it says how it may fail: then the camera is anywhere within the `extent`
+// of the map. A covariance that the map exceeds would bend it.
+Constraint place(const Constraint& given, double extent) {
   Constraint c = with_uncertain_scale(given);
-  if (!c.failure) c.failure = {kPlaceMistaken, kWithoutPlace * kWithoutPlace * c.covariance};
+  if (!c.failure)
+    c.failure = {kPlaceMistaken, c.covariance + covariance_of(extent, kUnknownRotation, kUnknownScale)};
   return c;
+}
+
+// Length of the diagonal of the box around the nodes.
+double extent_of(const std::map<NodeId, Sim3>& nodes) {
+  Eigen::AlignedBox3d box;
+  for (const auto& [id, T_world_node] : nodes) box.extend(T_world_node.rigid.translation());
+  return box.diagonal().norm();
 }
 
 // What follows the newest keyframe moves with it.
@@ -125,11 +135,12 @@ bool place(const std::map<int, Constraint>& constraints, const std::vector<Keyfr
     graph.add_node(node(k.id), into_kept_map(found_keyframes, k.id) * T_world_cam(k, *placed));
   for (size_t i = 1; i < keyframes.size(); ++i)
     graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
+  const double extent = extent_of(graph.nodes());
   std::map<int, int> id_of;  // by number in the graph
   int in_kept_map = 0;
   for (const auto& [id, c] : constraints)
     if (measures_place(c) && !placed->is_unused(id) && graph.knows(c.from) && graph.knows(c.to))
-      id_of[graph.add(place(c))] = id, in_kept_map += is_in_kept_map(c);
+      id_of[graph.add(place(c, extent))] = id, in_kept_map += is_in_kept_map(c);
   const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
   const bool is_held_by_one = in_kept_map > 0;
   for (const int failed : found.failed)

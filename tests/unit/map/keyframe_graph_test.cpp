@@ -102,6 +102,24 @@ TEST(KeyframeGraph, APlaceThatIsMistakenIsNamed) {
   EXPECT_LT(round.largest_error(placed), 2);
 }
 
+// Of a covariance that is merely large, a mistaken place that is far beyond it still bends the map, until the
+// right ones seem to be mistaken.
+TEST(KeyframeGraph, ManyMistakenPlacesDoNotBendThePath) {
+  const Round round;
+  std::vector<ConstraintAdded> right;
+  for (int i = 0; i < 20; ++i) right.push_back(round.seen_again(i, i, kRound - 20 + i));
+  std::vector<ConstraintAdded> all = right;
+  for (int i = 0; i < 10; ++i) {
+    all.push_back(right[size_t(2 * i)]);
+    all.back().id = 20 + i;
+    // What looks like the beginning is a quarter to half of the way round.
+    all.back().constraint.from = NodeId::keyframe(50 + 5 * i);
+  }
+  const PlacedEpochs placed = round.place(all);
+  EXPECT_EQ(placed.unused, (std::vector<int>{20, 21, 22, 23, 24, 25, 26, 27, 28, 29}));
+  EXPECT_NEAR(round.largest_error(placed), round.largest_error(round.place(right)), 0.05);
+}
+
 TEST(KeyframeGraph, AKeptMapGivesItsFrameAndUnit) {
   const Round round;
   const Sim3 T_kept_world{
