@@ -271,6 +271,9 @@ class Epochs::Solver {
       if (measures_place(r.constraint) && !by_units.is_unused(r.id)) links.push_back(r);
     return links;
   }
+  // An epoch is not as rigid as such places are certain: where they contradict each other is known once they
+  // move its keyframes (place_keyframes()).
+  static bool is_seen_again(const Reduced& r) { return r.constraint.kind == ConstraintKind::kPlace; }
   Constraint link_of_place(const Reduced& r) const {
     return between_maps(r.constraint, r.T_map_from, r.T_map_to, ratio(r.from, r.to));
   }
@@ -309,7 +312,7 @@ class Epochs::Solver {
   void drop_mistaken_places(const std::vector<Reduced>& links, PlacedEpochs* placed) const {
     std::map<std::pair<size_t, size_t>, std::vector<const Reduced*>> by_epochs;
     for (const Reduced& r : links)
-      if (r.from < r.to) by_epochs[{r.from, r.to}].push_back(&r);
+      if (r.from < r.to && !is_seen_again(r)) by_epochs[{r.from, r.to}].push_back(&r);
     MistakenViews known = kMistakenViews;
     for (const auto& [epochs, of_these] : by_epochs) {
       const std::vector<bool> holds = hold(of_these, known);
@@ -334,7 +337,10 @@ class Epochs::Solver {
       if (const auto c = join_of_place(i)) graph.add(in_world(i, *c));
     std::map<int, int> id_of;
     for (const Reduced& r : links)
-      if (!placed->is_unused(r.id)) id_of[graph.add(in_world(r, kPlaceMistaken))] = r.id;
+      if (!placed->is_unused(r.id)) {
+        const int number = graph.add(in_world(r, kPlaceMistaken));
+        if (!is_seen_again(r)) id_of[number] = r.id;
+      }
     const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);
     for (const int failed : found.failed)
       if (const auto c = id_of.find(failed); c != id_of.end()) placed->unused.push_back(c->second);
@@ -385,7 +391,7 @@ PlacedEpochs Epochs::solve_keyframes(const RunSoFar& run, const std::vector<Keyf
   PlacedEpochs placed = solve(run);
   if (!constraints_.empty()) placed.newest_constraint = constraints_.rbegin()->first;
   const bool is_place_seen_again = std::any_of(constraints_.begin(), constraints_.end(), [&](const auto& c) {
-    return relates_within_epoch(c.second, placed, run);
+    return relates_keyframes(c.second, run);
   });
   if (is_place_seen_again) place_keyframes(constraints_, keyframes, run, &placed);
   return placed;

@@ -160,13 +160,10 @@ bool place(const std::map<int, Constraint>& constraints, const std::vector<Keyfr
 }  // namespace
 
 // Features link the ends of a doubt: within one epoch they show what tracking had.
-bool relates_within_epoch(const Constraint& c, const PlacedEpochs& placed, const RunSoFar& run) {
+bool relates_keyframes(const Constraint& c, const RunSoFar& run) {
   if (is_in_kept_map(c)) return measures_place(c) && run.keyframe(c.to.number());
-  if (!measures_place(c) || c.kind == ConstraintKind::kFeatures) return false;
-  const auto from = run.keyframe(c.from.number()), to = run.keyframe(c.to.number());
-  if (!from || !to) return false;
-  const EpochPlace* epoch = placed.find(from->segment, from->id);
-  return epoch && epoch == placed.find(to->segment, to->id);
+  return measures_place(c) && c.kind != ConstraintKind::kFeatures && run.keyframe(c.from.number()) &&
+         run.keyframe(c.to.number());
 }
 
 void place_keyframes(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& known,

@@ -12,9 +12,9 @@
 
 namespace edgevo {
 
-/// Whether a constraint relates two known keyframes of one epoch in their place, or one to a map that was
-/// kept.
-bool relates_within_epoch(const Constraint& constraint, const PlacedEpochs& placed, const RunSoFar& run);
+/// Whether a constraint relates two known keyframes in their place, by more than the features that link the
+/// ends of a doubt, or one to a map that was kept.
+bool relates_keyframes(const Constraint& constraint, const RunSoFar& run);
 
 /// Places the keyframes of the run anew: PlacedEpochs::own of each, and the map of the last epoch as its
 /// newest keyframe. `placed`: the epochs, and what is unused; a constraint that now fails is added to these.

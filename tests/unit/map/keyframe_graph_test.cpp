@@ -2,6 +2,7 @@
 // A drive round a block whose heading and unit drift, and a place that is seen again at its end.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "edgevo/core/angle.h"
@@ -49,7 +50,8 @@ class Round {
   PlacedEpochs place(const std::vector<ConstraintAdded>& found, int later_epoch_first = -1) const {
     Epochs epochs;
     epochs.begin_segment({}, {});
-    if (later_epoch_first > 0) epochs.begin_epoch({0, kRound - 1, later_epoch_first});
+    if (later_epoch_first > 0)
+      epochs.begin_epoch({0, std::min(kRound, later_epoch_first) - 1, later_epoch_first});
     for (const ConstraintAdded& c : found) epochs.add(c);
     return epochs.solve_keyframes(run(), keyframes_);
   }
@@ -146,6 +148,17 @@ TEST(KeyframeGraph, AKeptMapThatIsContradictedGivesNothing) {
     EXPECT_NEAR(placed.T_world_map(0, 0).scale, 1, 1e-6);
   }
   EXPECT_GE(placed.unused.size(), 2U);
+}
+
+// Taken for rigid, the two would contradict most of the places.
+TEST(KeyframeGraph, PlacesOfTwoEpochsMoveTheKeyframesOfBoth) {
+  const Round round;
+  std::vector<ConstraintAdded> found;
+  for (int i = 0; i < 10; ++i) found.push_back(round.seen_again(i, 8 * i, kRound - 1 - 8 * i));
+  const PlacedEpochs placed = round.place(found, kRound / 2);
+  ASSERT_EQ(placed.epochs.size(), 2U);
+  EXPECT_TRUE(placed.unused.empty());
+  EXPECT_LT(round.largest_error(placed), 2);
 }
 
 // It has no keyframe of its own yet that has left the window.
