@@ -47,11 +47,24 @@ check "files of the map" "$(ls killed | grep -c '^map.db')" -eq 1
 # A run in the map of another one: its frame and unit, and the file as it was.
 before=$(state_of metres)
 run_code 0 "$edgevo" run "$sequence" -o placed --frames 0:60 --seed 2 --map metres
-check "found in the map" "$(grep -c 'keyframes found in metres, whose.*(metres)' stdout)" -eq 1
+check "found in the map" "$(grep -c 'frames found in metres, whose.*(metres)' stdout)" -eq 1
 check "places in the map" "$(grep -c '^place,,,-1,' placed/graph.csv)" -ge 3
 [ "$(state_of metres)" = "$before" ] && ok "the map is as it was" || fail "the map changed"
 # awk: largest distance of the poses of both, of a path of 44 m.
 check "frame and unit of the map" "$(paste -d ' ' metres/trajectory_tum.txt placed/trajectory_tum.txt | grep -v '#' | awk '{ d = sqrt(($2 - $10)^2 + ($3 - $11)^2 + ($4 - $12)^2); if (d > most) most = d } END { print NR == 50 && most < 0.1 }')" -eq 1
+# Located before it has a map of its own: four frames of a slow camera make none, eight do.
+run_code 0 "$edgevo" run "$scenes/desk" -o slow --quiet
+run_code 0 "$edgevo" run "$scenes/desk" -o short --frames 20:24 --seed 2 --map slow
+check "said" "$(grep -c '^2 frames found in slow, whose' stdout)" -eq 1
+check "frames located" "$(grep -c '^place,,,-1,' short/graph.csv)" -eq 2
+check "keyframes of its own" "$(awk -F, 'NR > 1 && $5 == 1' short/frames.csv | wc -l)" -eq 0
+run_code 0 "$edgevo" run "$scenes/desk" -o longer --frames 20:40 --seed 2 --map slow
+check "keyframes of its own" "$(awk -F, 'NR > 1 && $5 == 1' longer/frames.csv | wc -l)" -ge 5
+# near_slow FILE: rows in it that are within 0.1 units, of some 10 to what is seen, of the pose in the map at that time.
+near_slow() { awk '/^#/ { next } FNR == NR { x[$1] = $2; y[$1] = $3; z[$1] = $4; next } $1 in x { n += sqrt(($2 - x[$1])^2 + ($3 - y[$1])^2 + ($4 - z[$1])^2) < 0.1 } END { print n }' slow/trajectory_tum.txt "$1"; }
+check "poses at their place in the map, of two located frames" "$(near_slow short/trajectory_tum.txt)" -eq 2
+check "of a run that goes on" "$(near_slow longer/trajectory_tum.txt)" -ge 18
+check "live, from the first one on" "$(near_slow longer/trajectory_live_tum.txt)" -ge 18
 complains "omit --scale" "$edgevo" run "$sequence" -o refused --scale factor=3 --map metres
 complains "with --forget" "$edgevo" run "$sequence" -o refused --forget --map metres
 complains "map.db" "$edgevo" run "$sequence" -o refused --map nowhere

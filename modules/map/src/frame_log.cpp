@@ -86,9 +86,8 @@ void FrameLog::follow(const MapEvent& event) {
   const auto* added = std::get_if<ConstraintAdded>(&event);
   has_found_more_ |= std::holds_alternative<ConstraintWithdrawn>(event);
   if (!added) return;
-  if (relates_epochs(added->constraint))
-    has_found_more_ = true;
-  else if (added->constraint.kind == ConstraintKind::kPlace)
+  if (relates_epochs(added->constraint)) has_found_more_ = true;
+  if (added->constraint.kind == ConstraintKind::kPlace)
     knows_places_ = true, ++places_found_, keyframes_at_place_ = run_.keyframes();
   follow(added->constraint);
 }
@@ -105,6 +104,16 @@ FrameAnchored FrameLog::anchored(FrameRecord record, int segment, const Referenc
 
 void FrameLog::place(int segment, const Reference& reference, const SE3& T_cam_ref) {
   newest_ = anchored(std::move(newest_.frame), segment, reference, T_cam_ref);
+}
+
+void FrameLog::place(int segment, const LocatedPose& located) {
+  const SE3 T_cam_map = located.T_world_cam.inverse();
+  newest_.anchor = FrameAnchor{kNoKeyframe, T_cam_map, T_cam_map, 0};
+  FrameRecord& record = newest_.frame;
+  record.segment = segment;
+  record.T_world_cam_live = run_.T_odom_map(segment).apply(located.T_world_cam);
+  record.covariance = located.covariance;
+  record.evidence.median_depth = located.median_depth;
 }
 
 void FrameLog::place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref) {

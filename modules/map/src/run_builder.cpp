@@ -11,6 +11,7 @@
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/corrected_pixel.h"
+#include "edgevo/map/located_pose.h"
 
 namespace edgevo {
 namespace {
@@ -360,6 +361,10 @@ std::vector<ConstraintRecord> RunBuilder::constraint_records(const PlacedEpochs&
     records.push_back({to_string(c.kind), is_in_kept_map ? -1 : from->frame_index, to->frame_index,
                        c.T_from_to.scale, std::sqrt(c.covariance(6, 6)), !placed.is_unused(id)});
   }
+  // Frames that were located before the run had a map.
+  for (const Row& row : rows_)
+    if (row.anchor && row.anchor->keyframe_id == kNoKeyframe)
+      records.push_back({to_string(ConstraintKind::kPlace), -1, row.frame.index, 1, 0, true});
   return records;
 }
 

@@ -12,6 +12,9 @@ namespace {
 // Speed, in lengths per second, below which a camera stands still.
 constexpr double kStill = 1e-9;
 
+// Standard deviation of the logarithm of a unit by the depths of what is in view.
+constexpr double kOfDepths = 0.3;
+
 // Speed during the bootstrap, in the unit of its map.
 double speed_of(const MapBeginning& beginning) {
   return beginning.T_last_first.inverse().translation().norm() /
@@ -24,6 +27,8 @@ Eigen::Vector3d velocity_of(const std::vector<TimedPose>& poses) {
          seconds_between(poses.front().time, poses.back().time);
 }
 
+SE3 scaled(double scale, const SE3& T) { return SE3(T.rotation(), scale * T.translation()); }
+
 }  // namespace
 
 SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
@@ -31,7 +36,7 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
                            std::optional<double> scale) {
   using Method = SegmentPlaced::Method;
   // Standard deviations of a logarithm. In two seconds a car brakes to half its speed.
-  constexpr double kOfSpeed = 0.5, kOfDepths = 0.3, kOfNothing = 1;
+  constexpr double kOfSpeed = 0.5, kOfNothing = 1;
   // Of the direction, and what a car or a hand turns by in a second.
   constexpr double kOfDirection = rad(3), kTurnPerSecond = rad(20);
   SegmentPlaced join;
@@ -91,9 +96,18 @@ SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_w
   join.scale_sigma = link.sigma;
   join.T_world_map.scale = T_world_before.scale * link.scale;
   const SE3 T_world_after = T_world_before.apply((link.T_b_a * before.T_ref_world).inverse());
-  const SE3 T_map_after = after.T_ref_world.inverse();
-  const SE3 in_world(T_map_after.rotation(), join.T_world_map.scale * T_map_after.translation());
-  join.T_world_map.rigid = T_world_after * in_world.inverse();
+  join.T_world_map.rigid = T_world_after * scaled(join.T_world_map.scale, after.T_ref_world);
+  return join;
+}
+
+SegmentPlaced locate_segment(int segment, const LocatedPose& located, const SE3& T_cam_map,
+                             double median_depth) {
+  SegmentPlaced join;
+  join.segment = segment;
+  join.method = SegmentPlaced::Method::kLinked;
+  join.scale_sigma = kOfDepths;
+  join.T_world_map.scale = located.median_depth / median_depth;
+  join.T_world_map.rigid = located.T_world_cam * scaled(join.T_world_map.scale, T_cam_map);
   return join;
 }
 

@@ -112,6 +112,7 @@ void CEdgeVoSensor::open_odometry() {
   for (const std::string& line : earlier_ ? earlier_->warnings() : std::vector<std::string>()) say(line);
   PastParams params;
   params.kept = earlier_ ? earlier_->places() : nullptr;
+  options.locate = locate_in(params.kept);
   past_.emplace(grabber_->camera(), grabber_->T_vehicle_cam(), options, params);
   events_.emplace(options.map_log);
   odometry_ = std::make_unique<Odometry>(grabber_->camera(), config_.odometry, options);

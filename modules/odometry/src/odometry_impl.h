@@ -71,6 +71,8 @@ struct Odometry::Impl {
   void forget_views();
   void bootstrap_map(const ArrivedFrame& now);
   void refuse_pose(FrameRecord* record, const Reasons& why) const;
+  // The pose of a frame in a map that was kept, as long as the run has none of its own.
+  void locate(const ArrivedFrame& now);
   BootstrapStatus search_and_make(const ArrivedFrame& now);
   // Begins a new segment. Returns nothing, or why the two views make no map.
   Reasons make_map(const ArrivedFrame& now, const BootstrapResult& views);

@@ -23,6 +23,21 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   if (!concurrent) replay.add(now);
   const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
+  if (!record.T_world_cam_live) locate(now);
+}
+
+void Odometry::Impl::locate(const ArrivedFrame& now) {
+  if (!options.locate || !state.may_be_located()) return;
+  const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
+  const std::optional<LocatedPose> found = options.locate(*now.pyramid);
+  if (!found) return;
+  if (state.locate()) {
+    frames.begin_segment({state.segment(), Sim3(), SegmentPlaced::Method::kLinked});
+    report(now.frame, "located in the kept map");
+  }
+  frames.place(state.segment(), *found);
+  bootstrapper.locate(now.frame.index, *found);
+  assign_status({TrackingState::kTracking, {}}, now.record);
 }
 
 void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const {

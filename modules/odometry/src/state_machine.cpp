@@ -57,8 +57,14 @@ Action OdometryState::after(Event event, int frame_index) {
   const Transition t = transition(phase_, event);
   phase_ = t.next;
   if (t.action == Action::kLose) lost_at_ = frame_index, relocalisation_tries_ = 0;
-  if (event == Event::kMapMade) ++segment_;
+  if (event == Event::kMapMade) ++segment_, is_located_ = false;
   return t.action;
+}
+
+bool OdometryState::locate() {
+  if (is_located_) return false;
+  ++segment_;
+  return is_located_ = true;
 }
 
 TrackingState OdometryState::without_pose(int frame_index, int edges) const {

@@ -94,6 +94,10 @@ class OdometryState {
 
   /// Moves to the next state and returns what is to be done.
   Action after(Event event, int frame_index);
+  /// Whether a frame may be located in a map that was kept: the run has made none yet.
+  bool may_be_located() const { return phase_ == Phase::kBootstrapping && (segment_ < 0 || is_located_); }
+  /// A frame has been located. Returns whether a segment without a map of its own begins with it.
+  bool locate();
 
   /// Status of a frame without a pose: LOST at a loss and, after one, while there is nothing to follow, else
   /// BOOTSTRAPPING.
@@ -110,6 +114,7 @@ class OdometryState {
   int segment_ = -1;
   double relocalisation_tries_ = 0;  // since the loss
   int lost_at_ = -1;                 // frame
+  bool is_located_ = false;          // the segment has no map of its own
 };
 
 }  // namespace edgevo

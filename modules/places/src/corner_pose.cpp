@@ -66,15 +66,15 @@ struct SpacePixels {
   std::vector<cv::Point2d> in_b;  // where view b shows them
 };
 
-SpacePixels with_depths(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b) {
+SpacePixels with_depths(const Pinhole& pinhole, const PlaceView& a, const RememberedView& b) {
   const NearestPoint nearest(pinhole, a.points, kNearPx);
   SpacePixels found;
-  for (const auto& [in_a, in_b] : pairs_alike(a.view.corners, b.view.corners)) {
+  for (const auto& [in_a, in_b] : pairs_alike(a.view.corners, b.corners)) {
     const Eigen::Vector2f& px = a.view.corners.px[in_a];
     const CloudPoint* point = nearest.find(px);
     if (!point || !(point->idepth > 0) || point->idepth_sigma > kMaxRelativeSigma * point->idepth) continue;
     const Eigen::Vector3d X = pinhole.ray(px.cast<double>()) / point->idepth;
-    const Eigen::Vector2f& seen = b.view.corners.px[in_b];
+    const Eigen::Vector2f& seen = b.corners.px[in_b];
     found.in_a.emplace_back(X.x(), X.y(), X.z()), found.in_b.emplace_back(seen.x(), seen.y());
   }
   return found;
@@ -156,7 +156,7 @@ const CloudPoint* NearestPoint::find(const Eigen::Vector2f& px) const {
   return found;
 }
 
-std::optional<CornerPose> pose_by_corners(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
+std::optional<CornerPose> pose_by_corners(const Pinhole& pinhole, const PlaceView& a, const RememberedView& b,
                                           PlaceEvidence* evidence) {
   const SpacePixels pairs = with_depths(pinhole, a, b);
   evidence->pairs = int(pairs.in_a.size());

@@ -30,7 +30,7 @@ struct CornerPose {
   SE3 T_b_a;
 };
 /// The pose that most corners agree with, by depths in map a. Notes how many in the evidence.
-std::optional<CornerPose> pose_by_corners(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
+std::optional<CornerPose> pose_by_corners(const Pinhole& pinhole, const PlaceView& a, const RememberedView& b,
                                           PlaceEvidence* evidence);
 
 }  // namespace edgevo

@@ -140,14 +140,14 @@ bool is_proved(double corners_log_alarms, double edges_log_alarms) {
 }
 
 // What the two directions differ by is an error of one of them.
-Matrix7d covariance_of(const AlignedEdges& there, const SE3& T_b_a_by_return, const UnitRatio& ratio) {
-  const Vector6d differing = (there.T_to_from * T_b_a_by_return.inverse()).log();
+Matrix7d covariance_of(const LocatedView& there, const SE3& T_b_a_by_return, const UnitRatio& ratio) {
+  const Vector6d differing = (there.T_a_b.inverse() * T_b_a_by_return.inverse()).log();
   const Matrix6d of_b = there.covariance + differing * differing.transpose();
   Matrix7d covariance = Matrix7d::Zero();
   covariance.topLeftCorner<6, 6>() = of_b;
   // The unit of map b: about the camera of view b.
   covariance(6, 6) = ratio.sigma * ratio.sigma;
-  const Matrix7d moved = Sim3{1, there.T_to_from.inverse()}.adjoint();  // of the inverse
+  const Matrix7d moved = Sim3{1, there.T_a_b}.adjoint();  // of the inverse
   return moved * covariance * moved.transpose();
 }
 
@@ -159,28 +159,37 @@ void note(const AlignedEdges& found, int direction, PlaceEvidence* evidence) {
 
 }  // namespace
 
-std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
-                                      PlaceEvidence* evidence) {
+std::optional<LocatedView> locate_view(const Pinhole& pinhole, const PlaceView& a, const RememberedView& b,
+                                       PlaceEvidence* evidence) {
   PlaceEvidence unused;
   if (!evidence) evidence = &unused;
   *evidence = {};
   const std::optional<CornerPose> corners = pose_by_corners(pinhole, a, b, evidence);
   if (!corners || evidence->corners_log_alarms > kLogProof) return std::nullopt;
-  const AlignedEdges there = align_with(unpack(b.view.edges), cloud_of(a), corners->T_b_a);
+  const AlignedEdges there = align_with(unpack(b.edges), cloud_of(a), corners->T_b_a);
   note(there, 0, evidence);
   if (!is_proved(evidence->corners_log_alarms, there.log_alarms) ||
       !measures_all(there.covariance, median_depth(a.points)))
     return std::nullopt;
-  const std::optional<UnitRatio> ratio = compare_depths(pinhole, a.points, there.T_to_from, b.points);
+  return LocatedView{there.T_to_from.inverse(), there.covariance, *evidence};
+}
+
+std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
+                                      PlaceEvidence* evidence) {
+  PlaceEvidence unused;
+  if (!evidence) evidence = &unused;
+  const std::optional<LocatedView> there = locate_view(pinhole, a, b.view, evidence);
+  if (!there) return std::nullopt;
+  const std::optional<UnitRatio> ratio = compare_depths(pinhole, a.points, there->T_a_b.inverse(), b.points);
   if (!ratio) return std::nullopt;
-  const Sim3 T_a_b{std::exp(ratio->log), there.T_to_from.inverse()};
+  const Sim3 T_a_b{std::exp(ratio->log), there->T_a_b};
   const SE3 back_start(T_a_b.rigid.rotation(), T_a_b.rigid.translation() / T_a_b.scale);
   const AlignedEdges back = align_with(unpack(a.view.edges), cloud_of(b), back_start);
   note(back, 1, evidence);
   if (!is_proved(evidence->corners_log_alarms, back.log_alarms)) return std::nullopt;
   const SE3 T_b_a_by_return =
       SE3(back.T_to_from.rotation(), T_a_b.scale * back.T_to_from.translation()).inverse();
-  PlaceMatch match{T_a_b, covariance_of(there, T_b_a_by_return, *ratio), *evidence};
+  PlaceMatch match{T_a_b, covariance_of(*there, T_b_a_by_return, *ratio), *evidence};
   if (!measures_all(match.covariance.topLeftCorner<6, 6>(), median_depth(a.points))) return std::nullopt;
   return match;
 }

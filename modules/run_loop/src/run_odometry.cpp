@@ -7,6 +7,7 @@
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
+#include "edgevo/places/view_locator.h"
 #include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
 #include "lenient_source.h"
@@ -139,6 +140,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
   name_traced_thread("tracking");
   if (!options.map_log) options.map_log = std::make_shared<MapLog>();
+  if (!options.locate && !options.forget) options.locate = locate_in(requested.past.kept);
   PastFollower past(source.camera(), source.T_vehicle_cam(), options, requested.past);
   Odometry odometry(source.camera(), params, options);
   LenientSource lenient(source);

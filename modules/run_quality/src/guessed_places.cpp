@@ -24,6 +24,13 @@ bool is_linked_across(const Run& run, int first_frame) {
   });
 }
 
+// Its keyframes, or frames after them, were found in a map that was kept.
+bool is_found_in_kept_map(const Run& run, int first_frame) {
+  return std::any_of(run.constraints.begin(), run.constraints.end(), [&](const ConstraintRecord& c) {
+    return c.holds && c.from_frame < 0 && c.to_frame >= first_frame;
+  });
+}
+
 }  // namespace
 
 std::vector<GuessedPlace> guessed_places(const Run& run) {
@@ -60,7 +67,7 @@ std::vector<std::string> links_in_words(const Run& run) {
       continue;
     segment = frame.segment;
     const SegmentRecord& placed = run.segments[size_t(segment)];
-    if (!is_guess(placed))
+    if (!is_guess(placed) && !is_found_in_kept_map(run, frame.index))
       lines.push_back(formatted("frames %d on: unit of length and place by %s, to %.0f %%", frame.index,
                                 placed.placed_by.c_str(), 100 * placed.scale_sigma));
   }

@@ -47,8 +47,8 @@ std::string KeptPlaces::statement(const Run& run) const {
   const std::set<int> found = frames_found(run);
   if (found.empty())
     return "edgevo: nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
-  return std::to_string(found.size()) + " keyframes found in " + path_ +
-         ", whose frame and unit the run has" + (is_metric_ ? " (metres)" : "");
+  return std::to_string(found.size()) + " frames found in " + path_ + ", whose frame and unit the run has" +
+         (is_metric_ ? " (metres)" : "");
 }
 
 std::string KeptPlaces::extend(const Run& run, const std::string& run_map,

@@ -35,6 +35,10 @@ SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
   if (before && link)
     return link_segment(segment, *before->reference, frames_->T_odom_map(before->segment), *map_->reference(),
                         {link->T_b_a, link->scale, link->sigma});
+  if (located_)
+    for (const BootstrapView& view : views.views)
+      if (view.frame_index == located_->first && view.placed)
+        return locate_segment(segment, located_->second, view.T_cam_first, kFirstMedianDepth);
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
@@ -52,6 +56,7 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
                                        std::optional<double> scale, const SegmentBeginning* known) {
   const std::optional<ViewLink> link = known ? known->link : find_link(pinhole_, before, *map_->reference());
   frames_->begin_segment(place(segment, views, before, link, scale));
+  located_.reset();
   map_->begin_segment(segment);
   if (before && link)
     frames_->add_constraint(

@@ -125,6 +125,19 @@ TEST(OdometryState, FramesWithoutAPoseAreLostOrBootstrapping) {
   EXPECT_EQ(s.when_skipped(), TrackingState::kLost);
 }
 
+TEST(OdometryState, LocatedFramesHaveASegmentOfTheirOwnUntilThereIsAMap) {
+  OdometryState s(2, {});
+  EXPECT_TRUE(s.may_be_located());
+  EXPECT_TRUE(s.locate()) << "a segment begins";
+  EXPECT_FALSE(s.locate()) << "it goes on";
+  EXPECT_EQ(s.segment(), 0);
+  EXPECT_FALSE(s.has_map());
+  EXPECT_TRUE(s.may_be_located());
+  s.after(Event::kMapMade, 10);
+  EXPECT_EQ(s.segment(), 1);
+  EXPECT_FALSE(s.may_be_located());
+}
+
 TEST(OdometryState, ARefusedMapEndsTheOldOneButKeepsItsNumber) {
   OdometryState s = tracking();
   s.after(Event::kOutOfView, 20);

@@ -13,6 +13,7 @@
 #include "edgevo/core/motion_history.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/worker.h"
+#include "edgevo/map/located_pose.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/map/run_builder.h"
 
@@ -51,6 +52,8 @@ class FrameLog {
   FrameRecord& repeat_frame(const Frame& frame);
   /// Anchors the newest frame to the keyframe of `reference` and records its live pose.
   void place(int segment, const Reference& reference, const SE3& T_cam_ref);
+  /// Gives the newest frame its pose in a segment whose map is one that was kept: it has no keyframe.
+  void place(int segment, const LocatedPose& located);
   /// Announces the newest frame; again if its record has changed since.
   void publish();
 

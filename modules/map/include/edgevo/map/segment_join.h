@@ -13,6 +13,7 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/core/timestamp.h"
+#include "edgevo/map/located_pose.h"
 #include "edgevo/map/map_event.h"
 #include "edgevo/map/run_builder.h"
 
@@ -62,5 +63,10 @@ Constraint constraint_of(const SegmentLink& link, const Reference& a, const Refe
 /// keyframes see. `T_world_before`: from the map of `before` to the world.
 SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_world_before,
                            const Reference& after, const SegmentLink& link);
+
+/// Joins segment `segment` to a map that was kept, in which a frame was located; that frame is at `T_cam_map`
+/// in the new map, whose median depth is `median_depth`.
+SegmentPlaced locate_segment(int segment, const LocatedPose& located, const SE3& T_cam_map,
+                             double median_depth);
 
 }  // namespace edgevo

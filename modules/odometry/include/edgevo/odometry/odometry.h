@@ -26,7 +26,9 @@ class Map;            // map/map.h
 class MapLog;         // map/map_log.h
 class Rectification;  // core/rectification.h
 enum class Shedding;  // mapping/shedding.h
+struct FramePyramid;  // edges/frame_pyramid.h
 struct FrameView;     // tracking/frame_view.h
+struct LocatedPose;   // map/located_pose.h
 struct MapMoved;      // map/map_event.h
 template <class T>
 class Plane;  // edges/plane.h
@@ -72,6 +74,10 @@ struct OdometryOptions {
   /// per keyframe, in the thread of mapping, after self-calibration; nothing returned leaves the map as it
   /// is. Map::move() says which moves are refused, by an exception; so is one that changes the lens.
   std::function<std::optional<MapMoved>(const Map&)> move_map;
+  /// Locates an image in a map that was kept (places/view_locator.h); may be empty. Called in the thread of
+  /// process() for each frame until the run has made a map of its own: what is found is the frame's pose, in
+  /// a segment whose map is the kept one.
+  std::function<std::optional<LocatedPose>(const FramePyramid&)> locate;
   /// Called with one line at each change of state; may be empty.
   std::function<void(const std::string&)> log;
 };

@@ -49,6 +49,21 @@ struct PlaceMatch {
   PlaceEvidence evidence;
 };
 
+/// A view in a map.
+struct LocatedView {
+  /// From its camera to that of a view of the map, in the unit of the map.
+  SE3 T_a_b;
+  /// Covariance of xi in T_b_a <- exp(xi) T_b_a.
+  Matrix6d covariance = Matrix6d::Identity();
+  /// What it rests on; of the edges only those of the map in the view.
+  PlaceEvidence evidence;
+};
+
+/// Where view b was taken from, by what view a of a map shows; nothing if it is not proved. It needs no map
+/// of its own, so that half of what match_views() proves is missing. Deterministic. Cost: as match_views().
+std::optional<LocatedView> locate_view(const Pinhole& pinhole, const PlaceView& a, const RememberedView& b,
+                                       PlaceEvidence* evidence = nullptr);
+
 /// Recognises one place in two views; nothing if it is not proved. `evidence`, if not null, is what was found
 /// all the same. Deterministic. Cost: 3 ms for views of different places, 15 ms with proof.
 std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,

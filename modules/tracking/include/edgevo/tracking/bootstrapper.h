@@ -6,11 +6,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
 #include "edgevo/gyro/gyro_model.h"
 #include "edgevo/map/frame_log.h"
+#include "edgevo/map/located_pose.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
 #include "edgevo/tracking/bootstrap_placement.h"
@@ -65,6 +67,8 @@ class Bootstrapper {
   /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns nothing, or why they make
   /// no map.
   [[nodiscard]] Reasons make_map(const BootstrapResult& views);
+  /// A frame of the bootstrap has been located in a map that was kept: the next map begins there.
+  void locate(int frame_index, const LocatedPose& found) { located_ = {frame_index, found}; }
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
@@ -84,6 +88,7 @@ class Bootstrapper {
   MapLink* map_;
   FrameLog* frames_;
   TurnBetween turn_;
+  std::optional<std::pair<int, LocatedPose>> located_;  // newest frame that was
 };
 
 }  // namespace edgevo

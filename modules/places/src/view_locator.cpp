@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edgevo/places/view_locator.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "edgevo/core/angle.h"
+#include "edgevo/core/motion_tolerance.h"
+#include "edgevo/core/order_statistics.h"
+
+namespace edgevo {
+namespace {
+
+// Places that are tried for each image, as for a keyframe.
+constexpr size_t kCandidates = 3;
+// Of so many images in a row so many must have been taken next to each other.
+constexpr size_t kRow = 5, kAgreeing = 3;
+// Next to each other: their view has moved by less, radians. From one image to the next a camera that can be
+// followed at all moves it by a tenth of that.
+constexpr double kNextTo = 0.25;
+
+struct Found {
+  LocatedPose pose;
+  double edges_log_alarms = 0;
+};
+
+double median_depth(const std::vector<CloudPoint>& points) {
+  std::vector<double> depths;
+  for (const CloudPoint& p : points)
+    if (p.idepth > 0) depths.push_back(1 / p.idepth);
+  return median(std::move(depths));
+}
+
+double turn_between(const SE3& a, const SE3& b) { return (a.inverse() * b).log().tail<3>().norm(); }
+double share_between(const LocatedPose& a, const LocatedPose& b) {
+  return (a.T_world_cam.translation() - b.T_world_cam.translation()).norm() / a.median_depth;
+}
+
+// Not one pose, by the tolerance of a right motion.
+bool are_apart(const LocatedPose& a, const LocatedPose& b) {
+  return share_between(a, b) > kMotionTolerance.share_of_depth ||
+         turn_between(a.T_world_cam, b.T_world_cam) > rad(kMotionTolerance.rotation_deg);
+}
+
+bool are_next_to(const LocatedPose& a, const LocatedPose& b) {
+  return share_between(a, b) + turn_between(a.T_world_cam, b.T_world_cam) < kNextTo;
+}
+
+}  // namespace
+
+ViewLocator::ViewLocator(std::shared_ptr<const PlaceStore> map) : map_(std::move(map)) {
+  for (size_t i = 0; i < map_->size(); ++i)
+    if (map_->keyframes()[i].view) index_.add(*map_->keyframes()[i].view), keyframe_of_.push_back(i);
+}
+
+std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
+  std::vector<Found> found;
+  for (const int candidate : index_.candidates(view, kCandidates, &votes_)) {
+    const size_t at = keyframe_of_[size_t(candidate)];
+    const StoredKeyframe& place = map_->keyframes()[at];
+    const PlaceView a{*place.view, map_->points_around(at)};
+    if (const std::optional<LocatedView> located = locate_view(map_->pinhole(), a, view))
+      found.push_back(
+          {{place.record->T_world_cam * located->T_a_b, located->covariance, median_depth(a.points)},
+           located->evidence.edges_log_alarms});
+  }
+  if (found.empty()) return std::nullopt;
+  const Found& best = *std::min_element(found.begin(), found.end(), [](const Found& a, const Found& b) {
+    return a.edges_log_alarms < b.edges_log_alarms;
+  });
+  const bool is_ambiguous =
+      std::any_of(found.begin(), found.end(), [&](const Found& f) { return are_apart(best.pose, f.pose); });
+  return is_ambiguous ? std::nullopt : std::optional(best.pose);
+}
+
+std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
+  recent_.push_back(by_image(remember_view(pyramid)));
+  if (recent_.size() > kRow) recent_.pop_front();
+  const std::optional<LocatedPose>& newest = recent_.back();
+  if (!newest) return std::nullopt;
+  const auto agreeing = std::count_if(recent_.begin(), recent_.end(),
+                                      [&](const auto& pose) { return pose && are_next_to(*newest, *pose); });
+  return size_t(agreeing) >= kAgreeing ? newest : std::nullopt;
+}
+
+std::function<std::optional<LocatedPose>(const FramePyramid&)> locate_in(
+    std::shared_ptr<const PlaceStore> map) {
+  if (!map) return {};
+  const auto locator = std::make_shared<ViewLocator>(std::move(map));
+  return [locator](const FramePyramid& pyramid) { return locator->locate(pyramid); };
+}
+
+}  // namespace edgevo
