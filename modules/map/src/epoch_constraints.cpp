@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "epoch_constraints.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -34,7 +35,7 @@ Constraint between_maps(const Constraint& c, const SE3& T_map_from, const SE3& T
   return moved;
 }
 
-Constraint in_world_unit(const Constraint& c, double scale_from, double fails, const UnknownPose& unknown) {
+Constraint in_world_unit(const Constraint& c, double scale_from, const std::optional<UnknownPose>& where) {
   Constraint place = c;
   place.T_from_to = {1, SE3(c.T_from_to.rigid.rotation(), scale_from * c.T_from_to.rigid.translation())};
   place.centre *= scale_from;
@@ -44,11 +45,21 @@ Constraint in_world_unit(const Constraint& c, double scale_from, double fails, c
   place.covariance.topLeftCorner<6, 6>() =
       unit.asDiagonal() * c.covariance.topLeftCorner<6, 6>() * unit.asDiagonal();
   place.failure.reset();
-  if (fails == 0) return place;
-  place.failure = {fails, place.covariance};
-  place.failure->covariance.topLeftCorner<6, 6>() +=
-      covariance_of(scale_from * unknown.position, unknown.rotation, 0).topLeftCorner<6, 6>();
+  if (where) place.failure = mistaken(place.covariance, {scale_from * where->position, where->rotation});
   return place;
+}
+
+Constraint::Failure mistaken(const Matrix7d& covariance, const UnknownPose& unknown) {
+  const double scale = covariance(6, 6) > 0 ? kUnknownScale : 0;
+  Constraint::Failure failure{0, covariance + covariance_of(unknown.position, unknown.rotation, scale)};
+  const int measured = scale > 0 && std::isfinite(covariance(6, 6)) ? 7 : 6;
+  const auto log_det = [&](const Matrix7d& m) {
+    return m.topLeftCorner(measured, measured).ldlt().vectorD().array().log().sum();
+  };
+  // ln det Sigma_failed - 2 ln(p / (1 - p)) - ln det Sigma = kMistakenFrom
+  const double log_odds = 0.5 * (log_det(failure.covariance) - log_det(covariance) - kMistakenFrom);
+  failure.probability = std::min(1 / (1 + std::exp(-log_odds)), std::nextafter(1.0, 0.0));
+  return failure;
 }
 
 bool measures_unit(const Constraint& c) { return std::isfinite(c.covariance(6, 6)); }

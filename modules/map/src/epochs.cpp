@@ -24,7 +24,7 @@ constexpr double kKeptScale = 0.01, kKeptRotation = rad(0.2), kKeptShare = 0.01;
 // the half of provoked failures after which a unit is another one.
 constexpr double kLostProbability = 0.3;
 // That a guess by constant velocity fails, and that features mistake the unit. Chosen by their order, not
-// fitted: places that look alike (kPlaceMistaken) are commoner than bent maps, and a camera seldom leaves
+// fitted: places that look alike are commoner than bent maps, and a camera seldom leaves
 // what its speed says by sigmas.
 constexpr double kGuessFails = 0.05, kUnitMistaken = 0.1;
 // Of the place after a doubt whose keyframes are not known (any more), and of a join without a velocity: ten
@@ -278,11 +278,11 @@ class Epochs::Solver {
     return between_maps(r.constraint, r.T_map_from, r.T_map_to, ratio(r.from, r.to));
   }
 
-  Constraint in_world(const Reduced& r, double fails) const {
-    return in_world_unit(link_of_place(r), scales_[r.from], fails, kMistaken);
+  Constraint in_world(const Reduced& r, const std::optional<UnknownPose>& mistaken = {}) const {
+    return in_world_unit(link_of_place(r), scales_[r.from], mistaken);
   }
   Constraint in_world(size_t i, const Constraint& join) const {
-    return in_world_unit(join, scales_[i - 1], continues(i) ? 0 : kGuessFails, kMistaken);
+    return in_world_unit(join, scales_[i - 1], continues(i) ? std::nullopt : std::optional(kMistaken));
   }
 
   // What is expected of a camera by the joins between two epochs alone; nothing if one is not joined.
@@ -304,7 +304,7 @@ class Epochs::Solver {
     const Reduced& first = *links.front();
     const SE3 T_to_cam(first.T_map_to.rotation(), scales_[first.to] * first.T_map_to.translation());
     std::vector<StatedPose> views;
-    for (const Reduced* r : links) views.push_back(state_pose({in_world(*r, 0)}, T_to_cam));
+    for (const Reduced* r : links) views.push_back(state_pose({in_world(*r)}, T_to_cam));
     return views_that_hold(views, expected_pose(first, T_to_cam), known,
                            {kMistaken.position * scales_[first.from], kMistaken.rotation});
   }
@@ -338,7 +338,7 @@ class Epochs::Solver {
     std::map<int, int> id_of;
     for (const Reduced& r : links)
       if (!placed->is_unused(r.id)) {
-        const int number = graph.add(in_world(r, kPlaceMistaken));
+        const int number = graph.add(in_world(r, kMistaken));
         if (!is_seen_again(r)) id_of[number] = r.id;
       }
     const GraphSolution found = graph.solve(MapGraph::Sigmas::kNone);

@@ -10,7 +10,8 @@ void FoundSegments::apply(const MapEvent& event) {
   if (const auto* added = std::get_if<KeyframeAdded>(&event)) segment_of_[added->id] = added->segment;
   if (const auto* stated = std::get_if<ConstraintAdded>(&event)) {
     const Constraint& c = stated->constraint;
-    const bool is_in_kept_map = c.from == NodeId::world() && c.to.kind() == NodeId::Kind::kKeyframe;
+    const bool is_in_kept_map = c.kind == ConstraintKind::kPlace && c.from == NodeId::world() &&
+                                c.to.kind() == NodeId::Kind::kKeyframe;
     const auto segment = is_in_kept_map ? segment_of_.find(c.to.number()) : segment_of_.end();
     if (segment != segment_of_.end()) found_[stated->id] = segment->second;
   }

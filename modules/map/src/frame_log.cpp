@@ -86,9 +86,10 @@ void FrameLog::follow(const MapEvent& event) {
   const auto* added = std::get_if<ConstraintAdded>(&event);
   has_found_more_ |= std::holds_alternative<ConstraintWithdrawn>(event);
   if (!added) return;
-  if (relates_epochs(added->constraint)) has_found_more_ = true;
   if (added->constraint.kind == ConstraintKind::kPlace)
     knows_places_ = true, ++places_found_, keyframes_at_place_ = run_.keyframes();
+  else if (relates_epochs(added->constraint))
+    has_found_more_ = true;
   follow(added->constraint);
 }
 

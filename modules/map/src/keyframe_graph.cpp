@@ -99,18 +99,19 @@ Sim3 into_kept_map(const std::vector<FoundKeyframe>& found, int id) {
 }
 
 // One that can be mistaken, unless it says how it may fail: then the camera is anywhere within the `extent`
-// of the map. A covariance that the map exceeds would bend it.
+// of the map.
 Constraint place(const Constraint& given, double extent) {
   Constraint c = with_uncertain_scale(given);
-  if (!c.failure)
-    c.failure = {kPlaceMistaken, c.covariance + covariance_of(extent, kUnknownRotation, kUnknownScale)};
+  if (!c.failure) c.failure = mistaken(c.covariance, {extent, kUnknownRotation});
   return c;
 }
 
-// Length of the diagonal of the box around the nodes.
-double extent_of(const std::map<NodeId, Sim3>& nodes) {
+// Length of the diagonal of the box around the nodes and what is stated of a kept map.
+double extent_of(const std::map<NodeId, Sim3>& nodes, const std::map<int, Constraint>& constraints) {
   Eigen::AlignedBox3d box;
   for (const auto& [id, T_world_node] : nodes) box.extend(T_world_node.rigid.translation());
+  for (const auto& [id, c] : constraints)
+    if (is_in_kept_map(c)) box.extend(c.T_from_to.rigid.translation());
   return box.diagonal().norm();
 }
 
@@ -126,6 +127,15 @@ void move_epochs_after(const KeyframeInMap& newest, const Sim3& T_after_before, 
   }
 }
 
+// The epoch of a keyframe that is found in a kept map has its unit.
+void know_unit(const Constraint& c, const std::vector<KeyframeInMap>& keyframes, PlacedEpochs* placed) {
+  const auto k = std::find_if(keyframes.begin(), keyframes.end(),
+                              [&](const KeyframeInMap& known) { return known.id == c.to.number(); });
+  const EpochPlace* found = placed->find(k->segment, k->id);
+  for (EpochPlace& e : placed->epochs)
+    if (&e == found) e.scale_sigma = std::min(e.scale_sigma, std::sqrt(c.covariance(6, 6)));
+}
+
 // Returns whether a kept map holds the run, if one is stated to.
 bool place(const std::map<int, Constraint>& constraints, const std::vector<KeyframeInMap>& keyframes,
            const RunSoFar& run, PlacedEpochs* placed) {
@@ -135,7 +145,7 @@ bool place(const std::map<int, Constraint>& constraints, const std::vector<Keyfr
     graph.add_node(node(k.id), into_kept_map(found_keyframes, k.id) * T_world_cam(k, *placed));
   for (size_t i = 1; i < keyframes.size(); ++i)
     graph.add(neighbours(keyframes[i - 1], keyframes[i], run, *placed));
-  const double extent = extent_of(graph.nodes());
+  const double extent = extent_of(graph.nodes(), constraints);
   std::map<int, int> id_of;  // by number in the graph
   int in_kept_map = 0;
   for (const auto& [id, c] : constraints)
@@ -153,6 +163,9 @@ bool place(const std::map<int, Constraint>& constraints, const std::vector<Keyfr
   const Sim3 before = T_world_cam(newest, *placed);
   for (const KeyframeInMap& k : keyframes)
     placed->own[k.id] = found.nodes.at(node(k.id)).T_world_node * Sim3{1, k.T_map_cam}.inverse();
+  for (const auto& [id, number] : id_of)
+    if (is_in_kept_map(constraints.at(number)) && !placed->is_unused(number))
+      know_unit(constraints.at(number), keyframes, placed);
   move_epochs_after(newest, T_world_cam(newest, *placed) * before.inverse(), placed);
   return true;
 }

@@ -364,7 +364,8 @@ std::vector<ConstraintRecord> RunBuilder::constraint_records(const PlacedEpochs&
   // Frames that were located before the run had a map.
   for (const Row& row : rows_)
     if (row.anchor && row.anchor->keyframe_id == kNoKeyframe)
-      records.push_back({to_string(ConstraintKind::kPlace), -1, row.frame.index, 1, 0, true});
+      records.push_back({to_string(ConstraintKind::kPlace), -1, row.frame.index, 1,
+                         std::numeric_limits<double>::quiet_NaN(), true});
   return records;
 }
 

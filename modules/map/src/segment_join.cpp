@@ -13,7 +13,7 @@ namespace {
 constexpr double kStill = 1e-9;
 
 // Standard deviation of the logarithm of a unit by the depths of what is in view.
-constexpr double kOfDepths = 0.3;
+constexpr double kSigmaOfDepths = 0.3;
 
 // Speed during the bootstrap, in the unit of its map.
 double speed_of(const MapBeginning& beginning) {
@@ -61,7 +61,7 @@ SegmentPlaced join_segment(int segment, const std::vector<TimedPose>& previous,
   if (scale) {
     join.method = Method::kDepthRatio;
     join.T_world_map.scale = *scale;
-    join.scale_sigma = kOfDepths;
+    join.scale_sigma = kSigmaOfDepths;
   } else if (velocity.norm() > kStill && new_speed > kStill) {
     join.method = Method::kVelocity;
     join.T_world_map.scale = velocity.norm() / new_speed;
@@ -105,10 +105,23 @@ SegmentPlaced locate_segment(int segment, const LocatedPose& located, const SE3&
   SegmentPlaced join;
   join.segment = segment;
   join.method = SegmentPlaced::Method::kLinked;
-  join.scale_sigma = kOfDepths;
+  join.scale_sigma = kSigmaOfDepths;
   join.T_world_map.scale = located.median_depth / median_depth;
   join.T_world_map.rigid = located.T_world_cam * scaled(join.T_world_map.scale, T_cam_map);
+  join.position_sigma = std::sqrt(located.covariance.topLeftCorner<3, 3>().trace() / 3);
+  join.rotation_sigma = std::sqrt(located.covariance.bottomRightCorner<3, 3>().trace() / 3);
   return join;
+}
+
+Constraint place_of(int keyframe_id, const SE3& T_keyframe_map, const SegmentPlaced& located) {
+  Constraint c;
+  c.from = NodeId::world(), c.to = NodeId::keyframe(keyframe_id);
+  c.kind = ConstraintKind::kContinuity;
+  c.T_from_to = located.T_world_map * Sim3{1, T_keyframe_map.inverse()};
+  c.centre = c.T_from_to.rigid.translation();
+  c.covariance.diagonal() << Eigen::Vector3d::Constant(std::pow(located.position_sigma, 2)),
+      Eigen::Vector3d::Constant(std::pow(located.rotation_sigma, 2)), std::pow(located.scale_sigma, 2);
+  return c;
 }
 
 }  // namespace edgevo

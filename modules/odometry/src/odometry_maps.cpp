@@ -18,6 +18,7 @@ void Odometry::Impl::forget_views() {
 
 void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
+  const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
   frame_published = false;  // times and note change
   record.evidence.stands = !now.still.empty();
   if (!concurrent) replay.add(now);
@@ -28,7 +29,6 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
 
 void Odometry::Impl::locate(const ArrivedFrame& now) {
   if (!options.locate || !state.may_be_located()) return;
-  const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   const std::optional<LocatedPose> found = options.locate(*now.pyramid);
   if (!found) return;
   if (state.locate()) {
@@ -46,7 +46,6 @@ void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const 
 }
 
 BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
-  const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
   if (status.result &&
@@ -86,6 +85,7 @@ void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& be
 }
 
 void Odometry::Impl::record_segment(const Frame& frame, const NewSegment& begun) {
+  options.locate = {};  // what it holds is not needed any more
   if (corners) corners->begin_map(begun.reference->median_idepth);
   report(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
                     std::to_string(state.segment()) + "; " + begun.why);

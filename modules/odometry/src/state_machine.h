@@ -82,7 +82,8 @@ class OdometryState {
   Phase phase() const { return phase_; }
   bool has_map() const { return phase_ != Phase::kBootstrapping; }
   bool has_pose() const { return phase_ == Phase::kTracking || phase_ == Phase::kSeeking; }
-  /// Segment of the map; without a map that of the last one, -1: none yet.
+  /// Segment of the map; without a map that of the last one, or of the frames that were located; -1: none
+  /// yet.
   int segment() const { return segment_; }
 
   /// Whether a frame with that many edge pixels is tracked. After a loss each such frame uses up one of a

@@ -168,10 +168,10 @@ std::optional<LocatedView> locate_view(const Pinhole& pinhole, const PlaceView& 
   if (!corners || evidence->corners_log_alarms > kLogProof) return std::nullopt;
   const AlignedEdges there = align_with(unpack(b.edges), cloud_of(a), corners->T_b_a);
   note(there, 0, evidence);
-  if (!is_proved(evidence->corners_log_alarms, there.log_alarms) ||
-      !measures_all(there.covariance, median_depth(a.points)))
+  const double depth = median_depth(a.points);
+  if (!is_proved(evidence->corners_log_alarms, there.log_alarms) || !measures_all(there.covariance, depth))
     return std::nullopt;
-  return LocatedView{there.T_to_from.inverse(), there.covariance, *evidence};
+  return LocatedView{there.T_to_from.inverse(), there.covariance, depth, *evidence};
 }
 
 std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a, const PlaceView& b,
@@ -190,7 +190,7 @@ std::optional<PlaceMatch> match_views(const Pinhole& pinhole, const PlaceView& a
   const SE3 T_b_a_by_return =
       SE3(back.T_to_from.rotation(), T_a_b.scale * back.T_to_from.translation()).inverse();
   PlaceMatch match{T_a_b, covariance_of(*there, T_b_a_by_return, *ratio), *evidence};
-  if (!measures_all(match.covariance.topLeftCorner<6, 6>(), median_depth(a.points))) return std::nullopt;
+  if (!measures_all(match.covariance.topLeftCorner<6, 6>(), there->median_depth)) return std::nullopt;
   return match;
 }
 

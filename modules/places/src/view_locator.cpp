@@ -7,7 +7,6 @@
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/motion_tolerance.h"
-#include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
@@ -16,35 +15,28 @@ namespace {
 constexpr size_t kCandidates = 3;
 // Of so many images in a row so many must have been taken next to each other.
 constexpr size_t kRow = 5, kAgreeing = 3;
-// Next to each other: their view has moved by less, radians. From one image to the next a camera that can be
+// Adjacent: their view has moved by less, radians. From one image to the next a camera that can be
 // followed at all moves it by a tenth of that.
-constexpr double kNextTo = 0.25;
+constexpr double kAdjacent = 0.25;
 
 struct Found {
   LocatedPose pose;
   double edges_log_alarms = 0;
 };
 
-double median_depth(const std::vector<CloudPoint>& points) {
-  std::vector<double> depths;
-  for (const CloudPoint& p : points)
-    if (p.idepth > 0) depths.push_back(1 / p.idepth);
-  return median(std::move(depths));
-}
-
 double turn_between(const SE3& a, const SE3& b) { return (a.inverse() * b).log().tail<3>().norm(); }
-double share_between(const LocatedPose& a, const LocatedPose& b) {
+double distance_in_depths(const LocatedPose& a, const LocatedPose& b) {
   return (a.T_world_cam.translation() - b.T_world_cam.translation()).norm() / a.median_depth;
 }
 
 // Not one pose, by the tolerance of a right motion.
 bool are_apart(const LocatedPose& a, const LocatedPose& b) {
-  return share_between(a, b) > kMotionTolerance.share_of_depth ||
+  return distance_in_depths(a, b) > kMotionTolerance.share_of_depth ||
          turn_between(a.T_world_cam, b.T_world_cam) > rad(kMotionTolerance.rotation_deg);
 }
 
-bool are_next_to(const LocatedPose& a, const LocatedPose& b) {
-  return share_between(a, b) + turn_between(a.T_world_cam, b.T_world_cam) < kNextTo;
+bool are_adjacent(const LocatedPose& a, const LocatedPose& b) {
+  return distance_in_depths(a, b) + turn_between(a.T_world_cam, b.T_world_cam) < kAdjacent;
 }
 
 }  // namespace
@@ -62,7 +54,7 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
     const PlaceView a{*place.view, map_->points_around(at)};
     if (const std::optional<LocatedView> located = locate_view(map_->pinhole(), a, view))
       found.push_back(
-          {{place.record->T_world_cam * located->T_a_b, located->covariance, median_depth(a.points)},
+          {{place.record->T_world_cam * located->T_a_b, located->covariance, located->median_depth},
            located->evidence.edges_log_alarms});
   }
   if (found.empty()) return std::nullopt;
@@ -80,7 +72,7 @@ std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
   const std::optional<LocatedPose>& newest = recent_.back();
   if (!newest) return std::nullopt;
   const auto agreeing = std::count_if(recent_.begin(), recent_.end(),
-                                      [&](const auto& pose) { return pose && are_next_to(*newest, *pose); });
+                                      [&](const auto& pose) { return pose && are_adjacent(*newest, *pose); });
   return size_t(agreeing) >= kAgreeing ? newest : std::nullopt;
 }
 

@@ -27,7 +27,7 @@ bool is_linked_across(const Run& run, int first_frame) {
 // Its keyframes, or frames after them, were found in a map that was kept.
 bool is_found_in_kept_map(const Run& run, int first_frame) {
   return std::any_of(run.constraints.begin(), run.constraints.end(), [&](const ConstraintRecord& c) {
-    return c.holds && c.from_frame < 0 && c.to_frame >= first_frame;
+    return c.holds && c.kind == "place" && c.from_frame < 0 && c.to_frame >= first_frame;
   });
 }
 

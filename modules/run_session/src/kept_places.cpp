@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "kept_places.h"
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -23,6 +25,15 @@ std::set<int> frames_found(const Run& run) {
   return found;
 }
 
+// Of the run's unit in that of the map: what is known best of a keyframe; exact if there is none.
+double unit_sigma(const Run& run) {
+  double best = 0;
+  for (const EpochRecord& e : run.epochs) best = std::max(best, e.scale_sigma);
+  for (const ConstraintRecord& c : run.constraints)
+    if (c.from_frame < 0 && c.holds && std::isfinite(c.scale_sigma)) best = std::min(best, c.scale_sigma);
+  return best;
+}
+
 }  // namespace
 
 KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole)
@@ -40,7 +51,7 @@ bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }
 void KeptPlaces::give_unit(Run* run) const {
   if (!is_metric_ || !is_found(*run)) return;
   scale_run(1, kKeptMapScale, run);
-  run->scale.sigma = scale_sigma_;
+  run->scale.sigma = std::hypot(scale_sigma_, unit_sigma(*run));
 }
 
 std::string KeptPlaces::statement(const Run& run) const {

@@ -2,6 +2,8 @@
 #include "edgevo/tracking/bootstrapper.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 #include <utility>
 
 #include "edgevo/core/trace.h"
@@ -29,16 +31,29 @@ Reasons Bootstrapper::make_map(const BootstrapResult& views) {
   return problem;
 }
 
+// By the view that was located, or that is nearest to a frame that was: the newest of them.
+std::optional<SegmentPlaced> Bootstrapper::place_located(int segment, const BootstrapResult& views) const {
+  const auto distance = [](const auto& a, const BootstrapView& b) {
+    return std::abs(a.first - b.frame_index);
+  };
+  std::optional<SegmentPlaced> placed;
+  int nearest = std::numeric_limits<int>::max();
+  for (const auto& located : located_)
+    for (const BootstrapView& view : views.views)
+      if (view.placed && distance(located, view) <= nearest) {
+        nearest = distance(located, view);
+        placed = locate_segment(segment, located.second, view.T_cam_first, kFirstMedianDepth);
+      }
+  return placed;
+}
+
 SegmentPlaced Bootstrapper::place(int segment, const BootstrapResult& views,
                                   const std::optional<TrustedReference>& before,
                                   const std::optional<ViewLink>& link, std::optional<double> scale) const {
   if (before && link)
     return link_segment(segment, *before->reference, frames_->T_odom_map(before->segment), *map_->reference(),
                         {link->T_b_a, link->scale, link->sigma});
-  if (located_)
-    for (const BootstrapView& view : views.views)
-      if (view.frame_index == located_->first && view.placed)
-        return locate_segment(segment, located_->second, view.T_cam_first, kFirstMedianDepth);
+  if (const auto located = place_located(segment, views)) return *located;
   const std::vector<TimedPose> previous =
       frames_->run().last_poses(segment - 1, views.views.front().frame_index, kJoinPoses);
   const std::vector<TimedPose> sure =
@@ -55,12 +70,14 @@ NewSegment Bootstrapper::begin_segment(int segment, const BootstrapResult& views
                                        const std::optional<TrustedReference>& before,
                                        std::optional<double> scale, const SegmentBeginning* known) {
   const std::optional<ViewLink> link = known ? known->link : find_link(pinhole_, before, *map_->reference());
-  frames_->begin_segment(place(segment, views, before, link, scale));
-  located_.reset();
+  const SegmentPlaced placed = place(segment, views, before, link, scale);
+  frames_->begin_segment(placed);
   map_->begin_segment(segment);
   if (before && link)
     frames_->add_constraint(
         constraint_of({link->T_b_a, link->scale, link->sigma}, *before->reference, *map_->reference()));
+  if (!std::exchange(located_, {}).empty())
+    frames_->add_constraint(place_of(map_->reference()->keyframe_id, map_->reference()->T_ref_world, placed));
   NewSegment begun;
   begun.reference = map_->reference();
   begun.why = views.why;

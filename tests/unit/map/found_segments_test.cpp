@@ -9,6 +9,7 @@ namespace {
 ConstraintAdded found_in_kept_map(int id, int keyframe) {
   ConstraintAdded added;
   added.id = id;
+  added.constraint.kind = ConstraintKind::kPlace;
   added.constraint.from = NodeId::world(), added.constraint.to = NodeId::keyframe(keyframe);
   return added;
 }

@@ -68,5 +68,8 @@ SegmentPlaced link_segment(int segment, const Reference& before, const Sim3& T_w
 /// in the new map, whose median depth is `median_depth`.
 SegmentPlaced locate_segment(int segment, const LocatedPose& located, const SE3& T_cam_map,
                              double median_depth);
+/// What a segment that is located says of its keyframe at `T_keyframe_map`: where it lies in the kept map,
+/// whose frame is the world, as the camera went on from the frame that was located.
+Constraint place_of(int keyframe_id, const SE3& T_keyframe_map, const SegmentPlaced& located);
 
 }  // namespace edgevo

@@ -39,7 +39,8 @@ struct NewestPose {
   double p_right = std::numeric_limits<double>::quiet_NaN();
   /// Segment of the map; poses of two segments have no reliable common frame. -1: none.
   int segment = -1;
-  /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING.
+  /// Pose in the frame of the keyframe poses of `reference`; none while LOST or BOOTSTRAPPING,
+  /// nor of a frame that was located in a kept map before the run had one.
   std::optional<SE3> T_cam_map;
   /// Of a frame without a pose, where a gyro has followed the camera since the last one with one.
   std::optional<Heading> heading;

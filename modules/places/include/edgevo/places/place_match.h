@@ -55,6 +55,8 @@ struct LocatedView {
   SE3 T_a_b;
   /// Covariance of xi in T_b_a <- exp(xi) T_b_a.
   Matrix6d covariance = Matrix6d::Identity();
+  /// Median depth of the points around view a, in the unit of the map.
+  double median_depth = 1;
   /// What it rests on; of the edges only those of the map in the view.
   PlaceEvidence evidence;
 };

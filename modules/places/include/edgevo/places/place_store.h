@@ -26,7 +26,7 @@ struct StoredKeyframe {
   std::optional<NeighbourPose> next;
 };
 
-/// Keyframes in the order of time. For one thread at a time.
+/// Keyframes in the order of time. For one thread at a time; several may read it.
 class PlaceStore {
  public:
   /// `pinhole`: that of the rectified images.

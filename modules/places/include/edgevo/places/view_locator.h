@@ -24,8 +24,7 @@ class ViewLocator {
   /// `map`, not null, of the pinhole that the images are rectified to, all of one unit.
   explicit ViewLocator(std::shared_ptr<const PlaceStore> map);
 
-  /// The pose of the next image; nothing if it is not believed. Cost: 15 ms at 640x480 where no place looks
-  /// alike, 40 ms with proof.
+  /// The pose of the next image; nothing if it is not believed. Cost: some 20 ms at 640x480.
   std::optional<LocatedPose> locate(const FramePyramid& pyramid);
 
  private:

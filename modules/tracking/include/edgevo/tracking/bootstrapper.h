@@ -3,10 +3,10 @@
 // The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
@@ -68,7 +68,7 @@ class Bootstrapper {
   /// no map.
   [[nodiscard]] Reasons make_map(const BootstrapResult& views);
   /// A frame of the bootstrap has been located in a map that was kept: the next map begins there.
-  void locate(int frame_index, const LocatedPose& found) { located_ = {frame_index, found}; }
+  void locate(int frame_index, const LocatedPose& found) { located_[frame_index] = found; }
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
@@ -78,6 +78,7 @@ class Bootstrapper {
                            const SegmentBeginning* known = nullptr);
 
  private:
+  std::optional<SegmentPlaced> place_located(int segment, const BootstrapResult& views) const;
   SegmentPlaced place(int segment, const BootstrapResult& views,
                       const std::optional<TrustedReference>& before, const std::optional<ViewLink>& link,
                       std::optional<double> scale) const;
@@ -88,7 +89,7 @@ class Bootstrapper {
   MapLink* map_;
   FrameLog* frames_;
   TurnBetween turn_;
-  std::optional<std::pair<int, LocatedPose>> located_;  // newest frame that was
+  std::map<int, LocatedPose> located_;  // by frame, since the last map
 };
 
 }  // namespace edgevo
