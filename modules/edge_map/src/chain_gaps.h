@@ -19,7 +19,7 @@ enum class Certain {
   kAtCorner,
   /// By a bridge that begins, ends or passes at the node.
   kBetweenEnds,
-  /// By the largest plane of the view, which it lies on (plane_depths.h).
+  /// By a plane of the view, which it lies on (plane_depths.h).
   kOnPlane
 };
 

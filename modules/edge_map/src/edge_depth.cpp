@@ -29,12 +29,12 @@ class DepthSearch {
  public:
   DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
               const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params,
-              std::optional<EdgePlane>* plane, std::vector<TracedPixel>* trace)
+              std::vector<EdgePlane>* planes, std::vector<TracedPixel>* trace)
       : level_(host.finest()),
         sides_(sides),
         max_idepth_(max_idepth),
         params_(params),
-        plane_(plane),
+        planes_(planes),
         trace_(trace),
         set_(pinhole, views) {
     if (trace_) trace_->assign(level_.edges.pixels.size(), {});
@@ -44,7 +44,7 @@ class DepthSearch {
     for (const EdgeChain& chain : level_.edges.chains) follow(chain);
     copy_depth_at_corners(level_.edges, kCornerSourceShare * params_.max_relative_sigma, &chains_);
     for (FinalChain& chain : chains_) bridge(&chain);
-    lay_on_plane();
+    lay_on_planes();
     for (const FinalChain& chain : chains_) collect(chain);
     return std::move(pieces_);
   }
@@ -206,17 +206,18 @@ class DepthSearch {
                 kShownSigmas / std::sqrt(std::max(h.information, 1e-12)) + kShownShare * idepth);
   }
 
-  void lay_on_plane() {
-    const WeighNode weigh_node = [this](const FinalNode& s, double idepth, double own) {
+  void lay_on_planes() {
+    const WeighNode weigh_node = [this](const FinalNode& s, double idepth) {
       look_from(s.node.edge_pixel);
       const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
-      return NodeEvidence{
-          h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
-          h.views > 0 && log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_) > 0,
-          h.views >= params_.min_views};
+      return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
+                          h.views >= params_.min_views};
     };
-    edgevo::lay_on_plane(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, plane_,
-                         &chains_);
+    const CompareDepths compare_depths = [this](double idepth, double own) {
+      return log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_);
+    };
+    edgevo::lay_on_planes(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, compare_depths,
+                          planes_, &chains_);
   }
 
   void collect(const FinalChain& chain) {
@@ -253,7 +254,7 @@ class DepthSearch {
   const std::vector<EdgeSides>& sides_;
   const double max_idepth_;
   const EdgeMapParams& params_;
-  std::optional<EdgePlane>* plane_;
+  std::vector<EdgePlane>* planes_;
   std::vector<TracedPixel>* trace_;  // may be null
   ViewSet set_;
   EdgeSight sight_;  // of the current pixel
@@ -266,10 +267,10 @@ class DepthSearch {
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
-                                        const EdgeMapParams& params, std::optional<EdgePlane>* plane,
+                                        const EdgeMapParams& params, std::vector<EdgePlane>* planes,
                                         std::vector<TracedPixel>* trace) {
-  std::optional<EdgePlane> none;
-  return DepthSearch(pinhole, host, sides, views, max_idepth, params, plane ? plane : &none, trace).run();
+  std::vector<EdgePlane> none;
+  return DepthSearch(pinhole, host, sides, views, max_idepth, params, planes ? planes : &none, trace).run();
 }
 
 }  // namespace edgevo

@@ -10,6 +10,7 @@
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/map/run_builder.h"
 #include "straight_line.h"
+#include "view_poses.h"
 
 namespace edgevo {
 
@@ -37,6 +38,7 @@ constexpr double kMuchBetter = 0.75;
 // motion.
 constexpr int kMinSeen = 2, kManyViews = 6;
 constexpr double kSureShare = 0.007;
+constexpr size_t kCloudPoints = 1000;  // that views are aligned to: with 100 half of the gain is lost
 constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
@@ -92,11 +94,13 @@ struct EdgeFusion::Explained {
   }
 };
 
-void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
-  if (plane_) plane_ = plane_->seen_from(pinhole_, T_plane_world_ * host.T_cam_world.inverse());
+void EdgeFusion::add(const EdgeHost& host, std::vector<EdgeView> views) {
+  align_tracked_views(cloud_for(host), &views);
+  for (EdgePlane& plane : planes_)
+    plane = plane.seen_from(pinhole_, T_plane_world_ * host.T_cam_world.inverse());
   T_plane_world_ = host.T_cam_world, plane_host_ = host.id;
   const std::vector<EdgePiece> pieces =
-      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &plane_,
+      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &planes_,
                        trace_ ? &(*trace_)[host.id] : nullptr);
   Explained explained;
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
@@ -110,6 +114,37 @@ void EdgeFusion::add(const EdgeHost& host, const std::vector<EdgeView>& views) {
     finalise(open_.front());
     open_.pop_front();
   }
+}
+
+// Some vertices of the lines so far that lie in the image of the host, evenly from all.
+std::vector<CloudPoint> EdgeFusion::cloud_for(const EdgeHost& host) const {
+  std::vector<CloudPoint> points;
+  for (const OpenHost& open : open_) {
+    const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
+    const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
+    for (const Line& line : open.lines)
+      for (const Vertex& v : line) add_to_cloud(view, v, &points);
+  }
+  const size_t step = 1 + points.size() / kCloudPoints;
+  size_t kept = 0;
+  for (size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
+  points.resize(kept);
+  return points;
+}
+
+void EdgeFusion::add_to_cloud(const ViewGeometry& view, const Vertex& v,
+                              std::vector<CloudPoint>* points) const {
+  if (v.is_replaced || v.missed >= v.seen) return;
+  const SightLine ray(view, v.vertex.px.cast<double>());
+  const double idepth = double(v.vertex.idepth), depth_ratio = ray.depth(idepth);
+  if (!(depth_ratio > kMinDepthRatio)) return;
+  CloudPoint p;
+  const Eigen::Vector2d px = ray.at(idepth);
+  if (!pinhole_.contains(px, kSeenBorderPx)) return;
+  p.ray = pinhole_.ray(px), p.px = px.cast<float>();
+  p.idepth = idepth / depth_ratio, p.idepth_sigma = double(v.vertex.idepth_sigma) / depth_ratio;
+  p.normal = (view.turn * v.normal.cast<double>()).cast<float>();
+  points->push_back(p);
 }
 
 // Pixels that no earlier line explains as well become lines of this keyframe, extended by one vertex at each
@@ -236,7 +271,7 @@ EdgeFusion::Vertex EdgeFusion::make_vertex(const EdgeHost& host, const EdgeNode&
   v.normal = e.normal();
   v.views = node.views;
   v.is_outline = node.is_outline;
-  v.is_on_plane = node.is_on_plane;
+  v.is_on_plane = node.is_on_plane, v.is_backed_by_plane = node.is_backed_by_plane;
   const Vertex* before = explained.source[size_t(node.edge_pixel)];
   if (before && is_same_depth(explained.known[size_t(node.edge_pixel)], node)) v.seen += before->seen;
   return v;
@@ -261,7 +296,7 @@ EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
   if (!params_.is_fused()) return EdgeStage::kKept;
   if (v.is_replaced) return EdgeStage::kReplaced;
   if (v.missed > v.seen) return EdgeStage::kMissed;
-  if (v.is_on_plane || v.seen >= kMinSeen) return EdgeStage::kKept;
+  if (v.is_on_plane || v.is_backed_by_plane || v.seen >= kMinSeen) return EdgeStage::kKept;
   const bool is_sure = double(v.vertex.idepth_sigma) <= kSureShare * double(v.vertex.idepth);
   return is_sure && v.views >= kManyViews ? EdgeStage::kKept : EdgeStage::kUnconfirmed;
 }
@@ -321,17 +356,17 @@ void EdgeFusion::finalise_line(int host, const Line& line, std::vector<EdgeLine>
   flush();
 }
 
-// With another lens, the plane is found anew.
-void EdgeFusion::move_plane(const MapMoved& moved) {
+// With another lens, the planes are found anew.
+void EdgeFusion::move_planes(const MapMoved& moved) {
   const KeyframeMove* m = moved.find(plane_host_);
-  if (!plane_ || !m || moved.lens) return plane_.reset();
-  plane_ = plane_->scaled(m->scale_ratio);
+  if (!m || moved.lens) return planes_.clear();
+  for (EdgePlane& plane : planes_) plane = plane.scaled(m->scale_ratio);
   T_plane_world_ = moved.T_cam_map(*m);
 }
 
 // Lines that are final have left as events: whoever holds them moves them.
 void EdgeFusion::apply(const MapMoved& moved) {
-  move_plane(moved);
+  move_planes(moved);
   for (OpenHost& host : open_) {
     const KeyframeMove* m = moved.find(host.id);
     if (!m) continue;
@@ -348,7 +383,7 @@ void EdgeFusion::apply(const MapMoved& moved) {
 void EdgeFusion::close() {
   for (const OpenHost& host : open_) finalise(host);
   open_.clear();
-  plane_.reset();
+  planes_.clear();
 }
 
 }  // namespace edgevo

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "edge_planes.h"
+#include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/edge_map/edge_depth.h"
 #include "edgevo/edge_map/edge_mapper.h"
 
@@ -38,7 +39,7 @@ class EdgeFusion {
         log_(std::move(log)),
         trace_(trace) {}
 
-  void add(const EdgeHost& host, const std::vector<EdgeView>& views);
+  void add(const EdgeHost& host, std::vector<EdgeView> views);
   void apply(const MapMoved& moved);
   void close();
 
@@ -55,7 +56,7 @@ class EdgeFusion {
     int new_depths = 0;
     bool is_replaced = false;  // by a line of a nearer keyframe
     bool is_outline = false;
-    bool is_on_plane = false;
+    bool is_on_plane = false, is_backed_by_plane = false;
   };
   using Line = std::vector<Vertex>;
   struct OpenHost {
@@ -66,6 +67,8 @@ class EdgeFusion {
   struct Sighting;
   struct Explained;
 
+  std::vector<CloudPoint> cloud_for(const EdgeHost& host) const;
+  void add_to_cloud(const ViewGeometry& view, const Vertex& v, std::vector<CloudPoint>* points) const;
   void project_lines(const EdgeHost& host, Explained* explained);
   void project_line(const EdgeHost& host, const OpenHost& open, Line* line, Explained* explained) const;
   std::optional<Sighting> sight(const PyramidLevel& level, const ViewGeometry& view, const Vertex& v) const;
@@ -73,7 +76,7 @@ class EdgeFusion {
                      std::vector<Line>* lines) const;
   bool is_novel(const EdgeNode& node, Explained* explained) const;
   void count(Explained* explained) const;
-  void move_plane(const MapMoved& moved);
+  void move_planes(const MapMoved& moved);
   static void merge_new_depths(Vertex* v);
   Vertex make_vertex(const EdgeHost& host, const EdgeNode& node, const Explained& explained) const;
   void add_pixels_between(const EdgeHost& host, Line* line) const;
@@ -89,8 +92,8 @@ class EdgeFusion {
   EdgeMapParams params_;
   std::shared_ptr<MapLog> log_;
   EdgeTrace* trace_;
-  std::deque<OpenHost> open_;       // ascending id
-  std::optional<EdgePlane> plane_;  // of the last host, in its image
+  std::deque<OpenHost> open_;      // ascending id
+  std::vector<EdgePlane> planes_;  // of the last host, in its image
   int plane_host_ = -1;
   SE3 T_plane_world_;  // pose of that host
 };

@@ -151,7 +151,7 @@ struct EdgeMapper::Impl {
       sorted[i]->make_pyramid();
       const Keyframe& near = *keyframes.at(sorted[i]->keyframe_id);
       const EdgeView view{sorted[i]->pyramid, sorted[i]->sides, T_view_host(*sorted[i]),
-                          near.id == host.id ? 1 : gain_of(host, near)};
+                          near.id == host.id ? 1 : gain_of(host, near), true};
       views->insert(views->begin() + long(std::min(2 * i, views->size())), view);
     }
   }
@@ -179,9 +179,9 @@ void EdgeMapper::add(const Map& map) {
                       max_idepth_of(keyframe, map.active())};
   std::vector<EdgeView> views = impl_->views_of(keyframe, older, younger_than_last(map.active()));
   EdgeFusion* fusion = &impl_->fusion;
-  const bool is_added = impl_->worker.submit_if_room([fusion, host, views = std::move(views)] {
+  const bool is_added = impl_->worker.submit_if_room([fusion, host, views = std::move(views)]() mutable {
     const TraceScope traced("lines of a keyframe");
-    fusion->add(host, views);
+    fusion->add(host, std::move(views));
   });
   if (!is_added) ++impl_->skipped;
 }

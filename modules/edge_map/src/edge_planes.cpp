@@ -2,6 +2,7 @@
 #include "edge_planes.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -14,13 +15,15 @@ namespace {
 constexpr int kTries = 200;      // a plane with a third of the samples is hit by half of them with 97.5 %
 constexpr int kDraws = 4;        // for each sample of the other half, of which the most certain is taken
 constexpr size_t kAtLeast = 40;  // samples: fewer lie on one by chance, of some 3000
+constexpr size_t kCandidates = 1000;  // samples that a plane is looked for in: neighbours say the same
 constexpr double kPlaneSigmas = 3;
 constexpr double kRelief = 0.005;  // share of the inverse depth that a sample may be off the plane at first
 constexpr int kRefinements = 3;
 // Radius of the bends of what passes as a plane, in distances from the camera: over twenty distances, such a
 // road leaves its tangent by 4 %.
 constexpr double kBend = 5000;
-constexpr int kAreaPx = 32;        // side of the cells by which the area of a plane is counted
+constexpr int kMostPlanes = 3;  // a road, and what stands or lies along it; of the third, 6 in 10 are right
+constexpr int kAreaPx = 32;     // side of the cells by which the area of a plane is counted
 constexpr int kAreaColumns = 256;  // of these cells: more than any image has
 
 Eigen::Vector3d homogeneous(const Eigen::Vector2d& px) { return {px.x(), px.y(), 1}; }
@@ -199,24 +202,50 @@ EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples) {
   return plane;
 }
 
-EdgePlane find_plane(const std::vector<PlaneSample>& samples, const std::optional<EdgePlane>& predicted,
-                     bool* is_predicted) {
-  if (samples.size() < kAtLeast) return EdgePlane({});
+namespace {
+
+// A plane with its place among those predicted; -1: it is new.
+struct LargestPlane {
+  EdgePlane plane;
+  int predicted;
+};
+
+LargestPlane find_largest(const std::vector<PlaneSample>& samples, const std::vector<EdgePlane>& predicted) {
+  LargestPlane best{EdgePlane({}), -1};
+  if (samples.size() < kAtLeast) return best;
   Random random(1);
-  const std::vector<Candidate> candidates(samples.begin(), samples.end());
+  const size_t step = 1 + samples.size() / kCandidates;
+  std::vector<Candidate> candidates;
+  for (size_t i = 0; i < samples.size(); i += step) candidates.emplace_back(samples[i]);
   double most = 0;
-  if (predicted)
-    if (const EdgePlane now = predicted->corrected(samples); now.is_valid()) {
-      std::vector<double> cells;
-      most = covered_area(candidates, now.coefficients(), &cells);
-    }
+  std::vector<double> cells;
+  for (size_t i = 0; i < predicted.size(); ++i)
+    if (const EdgePlane now = predicted[i].corrected(samples); now.is_valid())
+      if (const double area = covered_area(candidates, now.coefficients(), &cells); area > most)
+        most = area, best = {predicted[i], int(i)};
   const std::optional<Eigen::Vector3d> larger = largest_plane(candidates, most, &random);
-  if (is_predicted) *is_predicted = !larger && most > 0;
-  if (!larger) return most > 0 ? *predicted : EdgePlane({});
+  if (!larger) return best;
   std::vector<PlaneSample> near;
-  for (size_t i = 0; i < samples.size(); ++i)
-    if (candidates[i].off(*larger) < kPlaneSigmas) near.push_back(samples[i]);
-  return refined(EdgePlane(near), samples);
+  for (const PlaneSample& s : samples)
+    if (Candidate(s).off(*larger) < kPlaneSigmas) near.push_back(s);
+  return {refined(EdgePlane(near), samples), -1};
+}
+
+}  // namespace
+
+std::vector<FoundPlane> find_planes(std::vector<PlaneSample> samples, std::vector<EdgePlane> predicted) {
+  std::vector<FoundPlane> planes;
+  while (int(planes.size()) < kMostPlanes) {
+    const LargestPlane found = find_largest(samples, predicted);
+    if (!found.plane.is_valid()) break;
+    const bool is_predicted = found.predicted >= 0;
+    planes.push_back({found.plane, is_predicted});
+    if (is_predicted) predicted.erase(predicted.begin() + found.predicted);
+    const EdgePlane now = is_predicted ? found.plane.corrected(samples) : found.plane;
+    const auto is_taken = [&](const PlaneSample& s) { return now.holds(s); };
+    samples.erase(std::remove_if(samples.begin(), samples.end(), is_taken), samples.end());
+  }
+  return planes;
 }
 
 }  // namespace edgevo

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The largest plane of a view (a road, a facade, a table) in the depths of its edges.
+// The largest planes of a view (a road, a facade, a table) in the depths of its edges.
 //
 // The image of a plane has inverse depths that are exactly linear in it, as that of a line has along it. What
 // runs along the motion, or was seen by too few views to be found, has the depth of the plane that it lies
@@ -67,10 +67,16 @@ class EdgePlane {
 /// The plane again, from those of the samples that lie on it.
 EdgePlane refined(EdgePlane plane, const std::vector<PlaneSample>& samples);
 
-/// The plane that most samples lie on; not valid if few do. That of the keyframe before, as predicted, is
-/// tried first: `is_predicted`, unless null, says that no other covers more, and that it is returned,
-/// uncorrected. The same samples give the same plane. Cost: 1 ms for 2000 samples.
-EdgePlane find_plane(const std::vector<PlaneSample>& samples,
-                     const std::optional<EdgePlane>& predicted = std::nullopt, bool* is_predicted = nullptr);
+/// A plane in the samples of a view.
+struct FoundPlane {
+  EdgePlane plane;
+  /// Whether it is that of the keyframe before, as predicted, uncorrected.
+  bool is_predicted = false;
+};
+
+/// The planes that most samples lie on, the largest first, each among the samples that lie on none before it;
+/// none if few do. Those of the keyframe before, as predicted, are tried first: another one must cover more.
+/// The same samples give the same planes. Cost: 1 ms each for 2000 samples.
+std::vector<FoundPlane> find_planes(std::vector<PlaneSample> samples, std::vector<EdgePlane> predicted = {});
 
 }  // namespace edgevo

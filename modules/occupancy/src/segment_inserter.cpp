@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "edgevo/core/depth_source.h"
+
 namespace edgevo {
 namespace {
 
@@ -13,6 +15,9 @@ template <class PointOrVertex>
 double relative_sigma(const PointOrVertex& p) {
   return double(p.idepth_sigma) / double(p.idepth);
 }
+
+// What is in front of a plane and was taken for a mark on it is seen there from one keyframe alone.
+bool is_confirmed(const EdgeLine& line) { return line.source != DepthSource::kPlane || line.keyframes > 1; }
 
 // Multiple of the range of the map (points beyond the range carve up to it). The radius of the neighbour
 // search does not grow beyond this distance.
@@ -57,7 +62,8 @@ void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_ca
     mark(T_map_cam * p_cam, p_cam.norm(), relative_sigma(p), p.observations);
     if (may_carve(p, p_cam, T_map_cam)) carve(p_cam, T_map_cam, relative_sigma(p));
   }
-  for (const EdgeLine& line : keyframe.lines) draw(line, T_map_cam);
+  for (const EdgeLine& line : keyframe.lines)
+    if (is_confirmed(line)) draw(line, T_map_cam);
   update_tree();
   ++batch_;
   ++stats_->batches;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "edge_planes.h"
 #include "edgevo/core/random.h"
@@ -16,6 +17,11 @@ constexpr int kWidth = 640, kHeight = 240;
 constexpr double kHorizon = 20, kSlope = 0.002;  // of the road: inverse depth per row below its horizon
 
 double road(const Eigen::Vector2d& px) { return kSlope * (px.y() - kHorizon); }
+
+EdgePlane find_plane(const std::vector<PlaneSample>& samples) {
+  const std::vector<FoundPlane> planes = find_planes(samples);
+  return planes.empty() ? EdgePlane({}) : planes.front().plane;
+}
 
 PlaneSample sample_at(const Eigen::Vector2d& px, double factor, double share) {
   return {px, factor * road(px), share * road(px), 0.2 * share * road(px)};
@@ -43,6 +49,27 @@ TEST(EdgePlane, IsFoundAmongTwiceAsManyOutliers) {
     EXPECT_NEAR(plane.at(px).idepth / road(px), 1, 0.02);
     EXPECT_LT(std::abs(plane.at(px).idepth - road(px)), 3 * plane.at(px).sigma);
   }
+}
+
+// A road, and a wall along it with fewer edges.
+TEST(EdgePlane, IsNotTheOnlyOne) {
+  const auto wall = [](const Eigen::Vector2d& px) { return 0.1 + 0.0005 * px.x(); };
+  Random random(5);
+  std::vector<PlaneSample> samples = road_samples(&random, 500, 0.01);
+  for (int i = 0; i < 300; ++i) {
+    const Eigen::Vector2d px(random.uniform(kWidth / 2, kWidth), random.uniform(0, kHeight));
+    const double idepth = wall(px) * (1 + 0.01 * random.uniform(-1.7, 1.7));
+    samples.push_back({px, idepth, 0.01 * idepth, 0.002 * idepth});
+  }
+  const std::vector<FoundPlane> planes = find_planes(samples);
+  ASSERT_GE(planes.size(), 2u);
+  const Eigen::Vector2d on_road(100, 200), on_wall(500, 80);
+  EXPECT_NEAR(planes[0].plane.at(on_road).idepth / road(on_road), 1, 0.02);
+  EXPECT_NEAR(planes[1].plane.at(on_wall).idepth / wall(on_wall), 1, 0.02);
+  const std::vector<FoundPlane> again = find_planes(samples, {planes[1].plane, planes[0].plane});
+  ASSERT_GE(again.size(), 2u);
+  EXPECT_NEAR(again[0].plane.at(on_road).idepth / road(on_road), 1, 0.02);
+  EXPECT_NEAR(again[1].plane.at(on_wall).idepth / wall(on_wall), 1, 0.02);
 }
 
 TEST(EdgePlane, OfAFewSamplesIsNone) {
@@ -131,14 +158,17 @@ struct RoadView {
 
   // Views show an edge at any depth: it runs along the motion. `has_own`: and at its own as well.
   int known_on_marking(bool is_shown = true, bool has_own = true) {
-    const auto weigh_node = [&](const FinalNode&, double idepth, double own) {
+    const auto weigh_node = [&](const FinalNode&, double idepth) {
       NodeEvidence e;
       e.hypothesis.idepth = idepth, e.hypothesis.views = 4;
-      e.common = idepth, e.is_likely = is_shown && !(has_own && own > 0);
+      e.common = idepth;
       return e;
     };
-    std::optional<EdgePlane> plane;
-    lay_on_plane(edges, {1, 0.03}, weigh_node, &plane, &chains);
+    const auto compare_depths = [&](double, double own) {
+      return is_shown && !(has_own && own > 0) ? 1.0 : -20.0;
+    };
+    std::vector<EdgePlane> planes;
+    lay_on_planes(edges, {1, 0.03}, weigh_node, compare_depths, &planes, &chains);
     int known = 0;
     for (const FinalNode& s : chains[size_t(marking)]) known += s.is_known();
     return known;
@@ -159,6 +189,18 @@ TEST(PlaneDepths, AMarkingTakesTheDepthOfTheRoad) {
       EXPECT_LT(s.node.idepth_sigma, 0.01 * truth);
       EXPECT_TRUE(s.node.is_on_plane);
     }
+}
+
+TEST(PlaneDepths, WhatViewsAndPlaneBothSayIsBacked) {
+  RoadView view;
+  view.known_on_marking();
+  int backed = 0, known = 0;
+  for (size_t c = 0; int(c) < view.marking; ++c)
+    for (const FinalNode& s : view.chains[c]) {
+      ++known, backed += s.node.is_backed_by_plane;
+      EXPECT_FALSE(s.node.is_on_plane);
+    }
+  EXPECT_GT(backed, 0.9 * known);
 }
 
 TEST(PlaneDepths, WhatViewsDoNotShowThereStaysUnknown) { EXPECT_EQ(RoadView().known_on_marking(false), 0); }

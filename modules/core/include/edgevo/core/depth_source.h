@@ -9,7 +9,7 @@ namespace edgevo {
 enum class DepthSource : uint8_t {
   /// The views that show it.
   kViews,
-  /// The largest plane of its host's view, which it lies on (edge_map/README.md).
+  /// A plane of its host's view, which it lies on (edge_map/README.md).
   kPlane
 };
 /// Name of `source` in files.

@@ -13,13 +13,12 @@
 //      continuous along the edge or breaks; then a line fitted to the neighbours smooths it (the image of a
 //      straight edge has inverse depths that are exactly linear along it).
 // An edge along its epipolar line has J = 0: it takes the depth of its neighbours, of its ends, or of the
-// largest plane of the view, or none.
+// plane that it lies on, or none.
 //
 // Cost at 1241x376, 20 000 edge pixels, 8 views: about 40 ms (tests/bench/bench_edge_map.cpp). Thread-safe.
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "edgevo/core/camera.h"
@@ -50,6 +49,8 @@ struct EdgeView {
   SE3 T_view_host;
   /// Brightness of the view over that of the host.
   double gain = 1;
+  /// Whether its pose is that of tracking, which nothing has adjusted since.
+  bool is_tracked = false;
 };
 
 /// Edge pixel with its depth.
@@ -64,8 +65,10 @@ struct EdgeNode {
   int views = 0;
   /// Whether only one side of the edge looks the same in the other views (an occluding contour).
   bool is_outline = false;
-  /// Whether it has the depth of the largest plane of the view (a road, a facade).
+  /// Whether it has the depth of a plane of the view (a road, a facade).
   bool is_on_plane = false;
+  /// Whether that plane has the depth that the views show.
+  bool is_backed_by_plane = false;
 };
 
 /// Neighbours on one edge without a jump in depth, in the order of the chain.
@@ -73,13 +76,12 @@ using EdgePiece = std::vector<EdgeNode>;
 
 /// Finds the pieces of the host's edges whose depth the views constrain, in the order of its chains. `sides`
 /// belongs to the edge pixels of the host, `views` are sorted nearest first, and no depth is below 1 over
-/// `max_idepth`. `plane`, unless null: that of the keyframe before as seen from this one, and that of this
-/// one afterwards. `trace`, unless null, receives one entry per edge pixel.
+/// `max_idepth`. `planes`, unless null: those of the keyframe before as seen from this one, and those of
+/// this one afterwards. `trace`, unless null, receives one entry per edge pixel.
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
-                                        const EdgeMapParams& params,
-                                        std::optional<EdgePlane>* plane = nullptr,
+                                        const EdgeMapParams& params, std::vector<EdgePlane>* planes = nullptr,
                                         std::vector<TracedPixel>* trace = nullptr);
 
 }  // namespace edgevo
