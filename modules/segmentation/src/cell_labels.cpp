@@ -156,25 +156,26 @@ bool CellLabels::update_area() {
   return true;
 }
 
-bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown) {
+bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+                     const RowShifts& rows) {
   if (!kept_) prepare(edges.width, edges.height);
   if (recent_->all().empty()) {
-    recent_->renew(edges, gradient, shown, takes_part_);
-    kept_->renew(edges, gradient, shown, takes_part_);
-    next_->renew(edges, gradient, shown, takes_part_);
+    recent_->renew(edges, gradient, shown, rows, takes_part_);
+    kept_->renew(edges, gradient, shown, rows, takes_part_);
+    next_->renew(edges, gradient, shown, rows, takes_part_);
     return false;
   }
-  recent_->look(gradient);
+  recent_->look(gradient, rows);
   motion_.vote(*recent_, voters());
   if (!motion_.is_moving()) return false;
-  kept_->look(gradient);
+  kept_->look(gradient, rows);
   motion_of_kept_.vote(*kept_, voters());
   weigh(kept_->chances(motion_of_kept_.moves()));
   label();
-  recent_->renew(edges, gradient, shown, takes_part_);
+  recent_->renew(edges, gradient, shown, rows, takes_part_);
   if (++age_ % kOld == 0) {
     std::swap(kept_, next_);
-    next_->renew(edges, gradient, shown, takes_part_);
+    next_->renew(edges, gradient, shown, rows, takes_part_);
   }
   return update_area();
 }

@@ -235,6 +235,22 @@ TEST(CellLabels, AKnownPartHasNoVoteInAStandstill) {
   EXPECT_FALSE(still.contain(0.5, 0.9)) << "fixed to the camera, whether it stands or not";
 }
 
+// Its rows are not where the camera's motion moves those of the scene: rectified, it sways with every turn.
+TEST(CellLabels, APartIsMaskedBehindARollingShutter) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  ImageCorrection correction;
+  correction.readout_s = 0.03;
+  builder.builder.set_correction(correction);
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 0; i < 60; ++i) {
+    ImageMotion motion;
+    motion.velocity.segment<2>(3) << 1.5 * std::sin(1.1 * i), 1.5 * std::cos(1.7 * i);  // rad/s
+    pyramid = builder.build(part_view(i * 3, i * 1.3, gripper, uint64_t(i + 1)), motion);
+  }
+  ASSERT_TRUE(pyramid->ego_mask);
+  EXPECT_GT(covered(pyramid->source, *pyramid).of_part, 0.95);
+}
+
 TEST(CellLabels, ThePartMayBeInViewUntilTheMaskHolds) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   auto before = show(&builder, 1, 3, 1.3, gripper);
