@@ -165,12 +165,12 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Pl
     next_->renew(edges, gradient, shown, rows, takes_part_);
     return false;
   }
-  recent_->look(gradient, rows);
+  recent_->look(gradient, rows, motion_.stands());
   motion_.vote(*recent_, voters());
   if (!motion_.is_moving()) return false;
   kept_->look(gradient, rows);
   motion_of_kept_.vote(*kept_, voters());
-  weigh(kept_->chances(motion_of_kept_.moves()));
+  weigh(kept_->chances(motion_of_kept_.moves(), log_odds_));
   label();
   recent_->renew(edges, gradient, shown, rows, takes_part_);
   if (++age_ % kOld == 0) {

@@ -65,10 +65,16 @@ int KeptEdges::kind(const EdgePixel& e) const {
   return (row * kRegions + column) * kDirections + int(angle) % kDirections;
 }
 
-void KeptEdges::look(const Gradient& gradient, const RowShifts& rows) {
+void KeptEdges::look(const Gradient& gradient, const RowShifts& rows, bool looks_around) {
   for (KeptEdge& e : edges_) {
     const Eigen::Vector2f px = Eigen::Vector2f(e.x, e.y) - rows.at(e.x, e.y);
     e.seen = is_inside(px.x(), px.y()) && shows_edge(gradient, px.x(), px.y(), e.nx, e.ny);
+    e.slid = false;
+    for (const float side : {-2.f, -1.f, 1.f, 2.f}) {
+      if (!looks_around || e.seen || e.slid) break;
+      const float x = px.x() + side * e.nx, y = px.y() + side * e.ny;
+      e.slid = is_inside(x, y) && shows_edge(gradient, x, y, e.nx, e.ny);
+    }
   }
 }
 
@@ -113,13 +119,15 @@ void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient, const P
       if (const auto e = steepest_of(int(cell), gradient, shown)) keep(*e, rows, takes_part);
 }
 
-std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves) const {
+std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves,
+                                       const std::vector<float>& log_odds) const {
   constexpr int kPlaces = kRegions * kRegions;
   std::vector<double> all(kPlaces * kDirections), seen(kPlaces * kDirections);
   for (const KeptEdge& e : edges_) {
     if (!moves[size_t(block(e.cell))]) continue;
-    ++all[size_t(e.kind)];
-    seen[size_t(e.kind)] += e.seen;
+    const double is_scene = 1 / (1 + std::exp(double(log_odds[size_t(e.cell)])));
+    all[size_t(e.kind)] += is_scene;
+    seen[size_t(e.kind)] += e.seen * is_scene;
   }
   // Few edges of a direction at a place borrow from other places, few of a direction from all.
   const double every = (kPriorEdges + sum(seen)) / (kPriorEdges + sum(all));

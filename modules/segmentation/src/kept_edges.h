@@ -45,6 +45,8 @@ struct KeptEdge {
   int cell, kind;
   /// Whether the present image shows it.
   bool seen = true;
+  /// Or within two pixels across it: what begins to move goes there first, what is hidden is gone.
+  bool slid = false;
 };
 
 /// The edges of one image, of every `step` edge pixels the first, and what is steepest in cells without one.
@@ -54,7 +56,7 @@ class KeptEdges {
   /// the same, one is kept.
   KeptEdges(int width, int height, int cell_px, size_t step);
   /// Looks for all of them in an image. Cost: 0.1 ms for 4000.
-  void look(const Gradient& gradient, const RowShifts& rows);
+  void look(const Gradient& gradient, const RowShifts& rows, bool looks_around = false);
   /// Replaces them by those of another image, where `takes_part` of the cell is not 0. A cell without one
   /// gives its steepest pixel that is `shown` (ViewObserver::add_edges), if it stands out of noise: the
   /// threshold of edges follows the image, so that a textured part would leave the scene around it without a
@@ -65,7 +67,7 @@ class KeptEdges {
   const std::vector<KeptEdge>& all() const { return edges_; }
   /// By kind: the share of edges seen at their place, over those in blocks of the view that move
   /// (ViewMotion::moves). Edges along the motion stay where they are: it depends on direction and place.
-  std::vector<double> chances(const std::vector<uint8_t>& moves) const;
+  std::vector<double> chances(const std::vector<uint8_t>& moves, const std::vector<float>& log_odds) const;
 
   /// Cells across and down; number of a cell's block of the view.
   int columns() const { return columns_; }
