@@ -16,14 +16,12 @@ constexpr int kCellPx = 8;                     // of the level: a letter, a dial
 constexpr size_t kStep = 2;                    // pixels along an edge, which say the same
 constexpr int kOld = 8;                        // images from each of which most of the view moved to the next
 constexpr double kFoundAgain = 0.7;            // share of a fixed part's edges: outlines vanish at times
-constexpr double kMinChance = 0.05;            // of an edge of the scene: no image measures less
 constexpr float kMostFixed = 20, kLeast = -4;  // log-odds: what is forgotten, so that a label can change
 constexpr float kSuspect = 4, kFixed = 10;     // log-odds of a cell
 constexpr int kReach = 2;                      // cells, between those of a part: letters, instruments
 constexpr double kPart = 200;                  // log-odds of cells that lie together; less is harmless
-constexpr double kMinAcross = 0.1;       // smaller eigenvalue of the mean of n n^T, n: normals of a part
-constexpr int kAroundPx = 3;             // around cells: what the gradient there is made of
-constexpr double kWorthChanging = 0.02;  // share of the cells that are masked
+constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals of a part
+constexpr int kAroundPx = 3;        // around cells: what the gradient there is made of
 
 }  // namespace
 
@@ -59,7 +57,7 @@ std::vector<uint8_t> CellLabels::voters() const {
 void CellLabels::weigh(const std::vector<double>& chances) {
   std::vector<float> hit, miss;
   for (const double measured : chances) {
-    const double chance = std::clamp(measured, kMinChance, kFoundAgain);
+    const double chance = std::min(measured, kFoundAgain);
     hit.push_back(float(std::log(kFoundAgain / chance)));
     miss.push_back(float(std::log((1 - kFoundAgain) / (1 - chance))));
   }
@@ -140,9 +138,9 @@ bool CellLabels::update_area() {
   std::vector<uint8_t> masked = fixed_;
   const bool is_any = std::count(fixed_.begin(), fixed_.end(), 1) > 0;
   if (is_any) add_enclosed(&masked);
-  int changed = 0, before = 0;
-  for (size_t i = 0; i < masked.size(); ++i) changed += masked[i] != masked_[i], before += masked_[i];
-  if (changed <= kWorthChanging * before) return false;
+  int changed = 0;
+  for (size_t i = 0; i < masked.size(); ++i) changed += masked[i] != masked_[i];
+  if (changed == 0) return false;
   masked_ = std::move(masked);
   area_.reset();
   if (!is_any) return true;
@@ -170,7 +168,7 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Pl
   if (!motion_.is_moving()) return false;
   kept_->look(gradient, rows);
   motion_of_kept_.vote(*kept_, voters());
-  weigh(kept_->chances(motion_of_kept_.moves(), log_odds_));
+  weigh(kept_->chances(motion_of_kept_.moves(), voters()));
   label();
   recent_->renew(edges, gradient, shown, rows, takes_part_);
   if (++age_ % kOld == 0) {

@@ -120,14 +120,13 @@ void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient, const P
 }
 
 std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves,
-                                       const std::vector<float>& log_odds) const {
+                                       const std::vector<uint8_t>& votes) const {
   constexpr int kPlaces = kRegions * kRegions;
   std::vector<double> all(kPlaces * kDirections), seen(kPlaces * kDirections);
   for (const KeptEdge& e : edges_) {
-    if (!moves[size_t(block(e.cell))]) continue;
-    const double is_scene = 1 / (1 + std::exp(double(log_odds[size_t(e.cell)])));
-    all[size_t(e.kind)] += is_scene;
-    seen[size_t(e.kind)] += e.seen * is_scene;
+    if (!moves[size_t(block(e.cell))] || !votes[size_t(e.cell)]) continue;
+    ++all[size_t(e.kind)];
+    seen[size_t(e.kind)] += e.seen;
   }
   // Few edges of a direction at a place borrow from other places, few of a direction from all.
   const double every = (kPriorEdges + sum(seen)) / (kPriorEdges + sum(all));

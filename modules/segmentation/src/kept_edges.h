@@ -67,7 +67,7 @@ class KeptEdges {
   const std::vector<KeptEdge>& all() const { return edges_; }
   /// By kind: the share of edges seen at their place, over those in blocks of the view that move
   /// (ViewMotion::moves). Edges along the motion stay where they are: it depends on direction and place.
-  std::vector<double> chances(const std::vector<uint8_t>& moves, const std::vector<float>& log_odds) const;
+  std::vector<double> chances(const std::vector<uint8_t>& moves, const std::vector<uint8_t>& votes) const;
 
   /// Cells across and down; number of a cell's block of the view.
   int columns() const { return columns_; }

@@ -10,8 +10,7 @@ constexpr int kMinInBlock = 4;  // edges that show whether a block moves
 // Share that keeps its place: of a block's edges; of all blocks, before anything has crossed; and of those
 // that stood, from image to image.
 constexpr double kMinStill = 0.7;
-constexpr int kMinImages = 2;          // for one, every slow camera stands
-constexpr double kMinStanding = 0.05;  // share of the blocks; with less, nothing is seen to stand
+constexpr int kMinImages = 2;  // for one, every slow camera stands
 // Images in which most of the view moves: of a view that was never seen to stand, and of one that was, a
 // queue of traffic of 10 to 30 s.
 constexpr int kMaxCrossing = 30, kMaxCovered = 300;
@@ -22,7 +21,7 @@ void ViewMotion::decide(int still, int stood, int still_standing) {
   const auto number = [&](Block how) { return int(std::count(blocks_.begin(), blocks_.end(), how)); };
   const int hidden = number(Block::kHidden), left = stood - still_standing;
   const bool at_once = still_standing < kMinStill * stood && 2 * left >= hidden;
-  const bool slides_off = still < kMinStanding * voting_ && number(Block::kSlid) >= hidden;
+  const bool slides_off = number(Block::kSlid) > hidden + still;
   stands_ = stands_ ? !at_once && !slides_off : voting_ > 0 && 2 * still >= voting_;
   was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
   crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + 1 : 0;
