@@ -12,14 +12,14 @@
 namespace edgevo {
 namespace {
 
-constexpr int kCellPx = 8;                     // of the level: a letter, a dial's rim
-constexpr size_t kStep = 2;                    // pixels along an edge, which say the same
-constexpr int kOld = 8;                        // images from each of which most of the view moved to the next
-constexpr double kFoundAgain = 0.7;            // share of a fixed part's edges: outlines vanish at times
-constexpr float kMostFixed = 20, kLeast = -4;  // log-odds: what is forgotten, so that a label can change
-constexpr float kSuspect = 4, kFixed = 10;     // log-odds of a cell
-constexpr int kReach = 2;                      // cells, between those of a part: letters, instruments
-constexpr double kPart = 200;                  // log-odds of cells that lie together; less is harmless
+constexpr int kCellPx = 8;           // of the level: a letter, a dial's rim
+constexpr size_t kStep = 2;          // pixels along an edge, which say the same
+constexpr int kOld = 8;              // images from each of which most of the view moved to the next
+constexpr double kFoundAgain = 0.7;  // share of a fixed part's edges: outlines vanish at times
+// Log-odds of a cell; none is below -kSuspect or above 2 kFixed, so that a label can change.
+constexpr float kSuspect = 4, kFixed = 10;
+constexpr int kReach = 2;           // cells, between those of a part: letters, instruments
+constexpr double kPart = 200;       // log-odds of cells that lie together; less is harmless
 constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals of a part
 constexpr int kAroundPx = 3;        // around cells: what the gradient there is made of
 
@@ -27,9 +27,8 @@ constexpr int kAroundPx = 3;        // around cells: what the gradient there is 
 
 void CellLabels::prepare(int width, int height) {
   width_ = width, height_ = height;
-  recent_.emplace(width, height, kCellPx, kStep);
-  kept_.emplace(width, height, kCellPx, kStep);
-  next_.emplace(width, height, kCellPx, kStep);
+  for (std::optional<KeptEdges>* kept : {&recent_, &kept_, &next_})
+    kept->emplace(width, height, kCellPx, kStep);
   const size_t cells = size_t(kept_->columns()) * size_t(kept_->rows());
   takes_part_.assign(cells, 1);
   fixed_.assign(cells, 0);
@@ -69,7 +68,7 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     ++number[size_t(e.cell)];
   }
   for (size_t i = 0; i < sum.size(); ++i)
-    if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], kLeast, kMostFixed);
+    if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
 // Edges of a single direction may slide along themselves, as those of a kerb do.
@@ -85,7 +84,7 @@ bool CellLabels::has_two_directions(const std::vector<int>& part) const {
 // A part is made of cells that are fixed, and of suspects that lie there.
 void CellLabels::label() {
   const auto is_suspect = [&](size_t i) {
-    return log_odds_[i] >= kSuspect || (fixed_[i] && log_odds_[i] > kLeast);
+    return log_odds_[i] >= kSuspect || (fixed_[i] && log_odds_[i] > -kSuspect);
   };
   is_undecided_ = false;
   std::vector<uint8_t> fixed(fixed_.size());
@@ -158,9 +157,8 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Pl
                      const RowShifts& rows) {
   if (!kept_) prepare(edges.width, edges.height);
   if (recent_->all().empty()) {
-    recent_->renew(edges, gradient, shown, rows, takes_part_);
-    kept_->renew(edges, gradient, shown, rows, takes_part_);
-    next_->renew(edges, gradient, shown, rows, takes_part_);
+    for (KeptEdges* kept : {&*recent_, &*kept_, &*next_})
+      kept->renew(edges, gradient, shown, rows, takes_part_);
     return false;
   }
   recent_->look(gradient, rows, motion_.stands());
