@@ -169,7 +169,8 @@ struct PyramidBuilder::Impl {
   // `border`, `own`: masks of the finest level, or empty; `likely`: probability on this level, or empty.
   // `observer`: null, or it is given the edges.
   void find_edges(int l, const Plane<uint8_t>& border, const Plane<uint8_t>& own,
-                  const Plane<uint8_t>& likely, ViewObserver* observer, PyramidLevel* level) {
+                  const Plane<uint8_t>& likely, const ImageMotion& motion, ViewObserver* observer,
+                  PyramidLevel* level) {
     Gradient gradient = level->with_gray([](const auto& gray) { return compute_gradient(gray); });
     Plane<uint8_t> mask = detector->detect({level->gray.view(), gradient, likely.view()});
     Plane<uint8_t> shown;  // where it is the image's own
@@ -183,11 +184,12 @@ struct PyramidBuilder::Impl {
     if (!own.empty()) {
       // Also behind the mask: it is taken back if its edges move after all.
       if (observer)
-        observer->add_edges(extract_edges(mask, gradient, params.min_chain), gradient, shown, l, correction);
+        observer->add_edges(extract_edges(mask, gradient, params.min_chain), gradient, shown, l, correction,
+                            motion);
       clear_masked(own, l, &mask);
     }
     level->edges = extract_edges(mask, gradient, params.min_chain);
-    if (observer && own.empty()) observer->add_edges(level->edges, gradient, shown, l, correction);
+    if (observer && own.empty()) observer->add_edges(level->edges, gradient, shown, l, correction, motion);
     level->field = NearestField(level->edges, kFieldRadiusPx);
     level->gradient_magnitude = std::move(gradient.magnitude);
   }
@@ -314,7 +316,7 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::build(const GrayImage&
     if (l > 0 && !likely_here.empty() && l < params.edge_levels)
       likely_here = halved(likely_here, level.pinhole);
     if (l < params.edge_levels)
-      find_edges(l, border_here, pyramid->ego_area, likely_here,
+      find_edges(l, border_here, pyramid->ego_area, likely_here, motion,
                  l == params.edge_levels - 1 ? observer : nullptr, &level);
   }
   return pyramid;

@@ -51,7 +51,8 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   if (status.result &&
       ego_mask_monitor.delays_map(now.may_show_ego_part, now.still, int(status.result->views.size()) - 1))
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
-  if (!status.result && !now.still.empty()) return {std::nullopt, {{ReasonKind::kStands}}};
+  if (!status.result && !now.still.empty())
+    return {std::nullopt, {{now.still.is_certain ? ReasonKind::kStands : ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);

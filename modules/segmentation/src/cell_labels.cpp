@@ -12,26 +12,23 @@
 namespace edgevo {
 namespace {
 
-constexpr int kCellPx = 8;                     // of the level: a letter, a dial's rim
-constexpr size_t kStep = 2;                    // pixels along an edge, which say the same
-constexpr int kOld = 8;                        // images from each of which most of the view moved to the next
-constexpr double kFoundAgain = 0.7;            // share of a fixed part's edges: outlines vanish at times
-constexpr double kMinChance = 0.05;            // of an edge of the scene: no image measures less
-constexpr float kMostFixed = 20, kLeast = -4;  // log-odds: what is forgotten, so that a label can change
-constexpr float kSuspect = 4, kFixed = 10;     // log-odds of a cell
-constexpr int kReach = 2;                      // cells, between those of a part: letters, instruments
-constexpr double kPart = 200;                  // log-odds of cells that lie together; less is harmless
-constexpr double kMinAcross = 0.1;       // smaller eigenvalue of the mean of n n^T, n: normals of a part
-constexpr int kAroundPx = 3;             // around cells: what the gradient there is made of
-constexpr double kWorthChanging = 0.02;  // share of the cells that are masked
+constexpr int kCellPx = 8;           // of the level: a letter, a dial's rim
+constexpr size_t kStep = 2;          // pixels along an edge, which say the same
+constexpr int kOld = 8;              // images from each of which most of the view moved to the next
+constexpr double kFoundAgain = 0.7;  // share of a fixed part's edges: outlines vanish at times
+// Log-odds of a cell; none is below -kSuspect or above 2 kFixed, so that a label can change.
+constexpr float kSuspect = 4, kFixed = 10;
+constexpr int kReach = 2;           // cells, between those of a part: letters, instruments
+constexpr double kPart = 200;       // log-odds of cells that lie together; less is harmless
+constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals of a part
+constexpr int kAroundPx = 3;        // around cells: what the gradient there is made of
 
 }  // namespace
 
 void CellLabels::prepare(int width, int height) {
   width_ = width, height_ = height;
-  recent_.emplace(width, height, kCellPx, kStep);
-  kept_.emplace(width, height, kCellPx, kStep);
-  next_.emplace(width, height, kCellPx, kStep);
+  for (std::optional<KeptEdges>* kept : {&recent_, &kept_, &next_})
+    kept->emplace(width, height, kCellPx, kStep);
   const size_t cells = size_t(kept_->columns()) * size_t(kept_->rows());
   takes_part_.assign(cells, 1);
   fixed_.assign(cells, 0);
@@ -59,7 +56,7 @@ std::vector<uint8_t> CellLabels::voters() const {
 void CellLabels::weigh(const std::vector<double>& chances) {
   std::vector<float> hit, miss;
   for (const double measured : chances) {
-    const double chance = std::clamp(measured, kMinChance, kFoundAgain);
+    const double chance = std::min(measured, kFoundAgain);
     hit.push_back(float(std::log(kFoundAgain / chance)));
     miss.push_back(float(std::log((1 - kFoundAgain) / (1 - chance))));
   }
@@ -71,7 +68,7 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     ++number[size_t(e.cell)];
   }
   for (size_t i = 0; i < sum.size(); ++i)
-    if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], kLeast, kMostFixed);
+    if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
 // Edges of a single direction may slide along themselves, as those of a kerb do.
@@ -87,7 +84,7 @@ bool CellLabels::has_two_directions(const std::vector<int>& part) const {
 // A part is made of cells that are fixed, and of suspects that lie there.
 void CellLabels::label() {
   const auto is_suspect = [&](size_t i) {
-    return log_odds_[i] >= kSuspect || (fixed_[i] && log_odds_[i] > kLeast);
+    return log_odds_[i] >= kSuspect || (fixed_[i] && log_odds_[i] > -kSuspect);
   };
   is_undecided_ = false;
   std::vector<uint8_t> fixed(fixed_.size());
@@ -140,9 +137,9 @@ bool CellLabels::update_area() {
   std::vector<uint8_t> masked = fixed_;
   const bool is_any = std::count(fixed_.begin(), fixed_.end(), 1) > 0;
   if (is_any) add_enclosed(&masked);
-  int changed = 0, before = 0;
-  for (size_t i = 0; i < masked.size(); ++i) changed += masked[i] != masked_[i], before += masked_[i];
-  if (changed <= kWorthChanging * before) return false;
+  int changed = 0;
+  for (size_t i = 0; i < masked.size(); ++i) changed += masked[i] != masked_[i];
+  if (changed == 0) return false;
   masked_ = std::move(masked);
   area_.reset();
   if (!is_any) return true;
@@ -156,25 +153,25 @@ bool CellLabels::update_area() {
   return true;
 }
 
-bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown) {
+bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+                     const RowShifts& rows) {
   if (!kept_) prepare(edges.width, edges.height);
   if (recent_->all().empty()) {
-    recent_->renew(edges, gradient, shown, takes_part_);
-    kept_->renew(edges, gradient, shown, takes_part_);
-    next_->renew(edges, gradient, shown, takes_part_);
+    for (KeptEdges* kept : {&*recent_, &*kept_, &*next_})
+      kept->renew(edges, gradient, shown, rows, takes_part_);
     return false;
   }
-  recent_->look(gradient);
+  recent_->look(gradient, rows, motion_.stands());
   motion_.vote(*recent_, voters());
   if (!motion_.is_moving()) return false;
-  kept_->look(gradient);
+  kept_->look(gradient, rows);
   motion_of_kept_.vote(*kept_, voters());
-  weigh(kept_->chances(motion_of_kept_.moves()));
+  weigh(kept_->chances(motion_of_kept_.moves(), voters()));
   label();
-  recent_->renew(edges, gradient, shown, takes_part_);
+  recent_->renew(edges, gradient, shown, rows, takes_part_);
   if (++age_ % kOld == 0) {
     std::swap(kept_, next_);
-    next_->renew(edges, gradient, shown, takes_part_);
+    next_->renew(edges, gradient, shown, rows, takes_part_);
   }
   return update_area();
 }

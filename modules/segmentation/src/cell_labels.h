@@ -33,7 +33,8 @@ class CellLabels {
   /// Adds the next image: its gradient and its edges, none of them masked, and where it shows anything of its
   /// own (ViewObserver::add_edges); all images have the same size.
   /// Returns true if the area has changed. Cost: 0.3 ms for 8000 edge pixels.
-  bool add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown);
+  bool add(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
+           const RowShifts& rows = {});
   /// Area of the fixed parts: 255 on them and a few pixels around; null if there is none.
   std::shared_ptr<const Plane<uint8_t>> area() const { return area_; }
   /// Whether some of the view looks fixed, but not for long enough to know.

@@ -10,7 +10,6 @@ namespace {
 // Of the image: as much as changes a map, and is worth a line.
 constexpr double kWorthSaying = 0.01;
 constexpr int kMaxDelayed = 30;  // frames
-constexpr int kMaxStood = 300;   // frames: a queue of traffic, 10 to 30 s
 
 }  // namespace
 
@@ -31,8 +30,7 @@ bool EgoMaskMonitor::take(const FramePyramid& frame) {
 }
 
 bool EgoMaskMonitor::delays_map(bool may_show_ego_part, const StillCells& still, int images) {
-  if (still.images >= images) return ++stood_ <= kMaxStood;
-  return may_show_ego_part && ++delayed_ <= kMaxDelayed;
+  return still.images >= images || (may_show_ego_part && ++delayed_ <= kMaxDelayed);
 }
 
 }  // namespace edgevo

@@ -65,8 +65,24 @@ int KeptEdges::kind(const EdgePixel& e) const {
   return (row * kRegions + column) * kDirections + int(angle) % kDirections;
 }
 
-void KeptEdges::look(const Gradient& gradient) {
-  for (KeptEdge& e : edges_) e.seen = shows_edge(gradient, e.x, e.y, e.nx, e.ny);
+void KeptEdges::look(const Gradient& gradient, const RowShifts& rows, bool looks_around) {
+  for (KeptEdge& e : edges_) {
+    const Eigen::Vector2f px = Eigen::Vector2f(e.x, e.y) - rows.at(e.x, e.y);
+    e.seen = is_inside(px.x(), px.y()) && shows_edge(gradient, px.x(), px.y(), e.nx, e.ny);
+    e.slid = false;
+    for (const float side : {-2.f, -1.f, 1.f, 2.f}) {
+      if (!looks_around || e.seen || e.slid) break;
+      const float x = px.x() + side * e.nx, y = px.y() + side * e.ny;
+      e.slid = is_inside(x, y) && shows_edge(gradient, x, y, e.nx, e.ny);
+    }
+  }
+}
+
+void KeptEdges::keep(const EdgePixel& e, const RowShifts& rows, const std::vector<uint8_t>& takes_part) {
+  const Eigen::Vector2f px = e.position() + rows.at(e.x, e.y);
+  if (!is_inside(px.x(), px.y())) return;
+  const int cell = cell_at(px.x(), px.y());
+  if (takes_part[size_t(cell)]) edges_.push_back({px.x(), px.y(), e.nx, e.ny, cell, kind(e)});
 }
 
 // The steepest pixel of a cell; its gradient falls on both sides.
@@ -90,26 +106,25 @@ std::optional<EdgePixel> KeptEdges::steepest_of(int cell, const Gradient& gradie
 }
 
 void KeptEdges::renew(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
-                      const std::vector<uint8_t>& takes_part) {
+                      const RowShifts& rows, const std::vector<uint8_t>& takes_part) {
   edges_.clear();
   std::vector<uint8_t> has_one(takes_part.size());
   for (size_t i = 0; i < edges.pixels.size(); i += step_) {
     const EdgePixel& e = edges.pixels[i];
-    const int cell = nearest_pixel(e.y) / cell_px_ * columns_ + nearest_pixel(e.x) / cell_px_;
-    has_one[size_t(cell)] = 1;
-    if (takes_part[size_t(cell)]) edges_.push_back({e.x, e.y, e.nx, e.ny, cell, kind(e)});
+    has_one[size_t(cell_at(e.x, e.y))] = 1;
+    keep(e, rows, takes_part);
   }
   for (size_t cell = 0; cell < has_one.size(); ++cell)
     if (takes_part[cell] && !has_one[cell])
-      if (const auto e = steepest_of(int(cell), gradient, shown))
-        edges_.push_back({e->x, e->y, e->nx, e->ny, int(cell), kind(*e)});
+      if (const auto e = steepest_of(int(cell), gradient, shown)) keep(*e, rows, takes_part);
 }
 
-std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves) const {
+std::vector<double> KeptEdges::chances(const std::vector<uint8_t>& moves,
+                                       const std::vector<uint8_t>& votes) const {
   constexpr int kPlaces = kRegions * kRegions;
   std::vector<double> all(kPlaces * kDirections), seen(kPlaces * kDirections);
   for (const KeptEdge& e : edges_) {
-    if (!moves[size_t(block(e.cell))]) continue;
+    if (!moves[size_t(block(e.cell))] || !votes[size_t(e.cell)]) continue;
     ++all[size_t(e.kind)];
     seen[size_t(e.kind)] += e.seen;
   }

@@ -4,25 +4,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_groups.h"
 #include "edgevo/alignment/edge_match.h"
 #include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
 
-constexpr int kColumns = 32;              // of cells over the width of the image
-constexpr double kContradictShare = 0.6;  // of the points around a cell
-constexpr int kMinAround = 5;             // points around a cell
-constexpr int kMinPoints = 16;            // of a group
-constexpr int kMinOutside = 40;           // points that agree with the pose, outside the group
-constexpr int kMinEdges = 60;             // edge pixels of a group
-constexpr double kGrowShare = 0.65;       // of the edge pixels of a cell next to a group
-constexpr int kMinInCell = 6;             // edge pixels
-constexpr double kRestAgrees = 0.6;       // of the points outside the group
+constexpr int kColumns = 32;  // of cells over the width of the image
+// Of the points around a cell that contradict, of those outside the group that agree, of the group's edges
+// that agree with a motion of its own.
+constexpr double kMost = 0.6;
+constexpr int kMinAround = 5;        // points around a cell
+constexpr int kMinPoints = 16;       // of a group
+constexpr int kMinOutside = 40;      // points that agree with the pose, outside the group
+constexpr int kMinEdges = 60;        // edge pixels of a group
+constexpr double kGrowShare = 0.65;  // of the edge pixels of a cell next to a group
+constexpr int kMinInCell = 6;        // edge pixels
 // The rest of the view reaches over this many times the group's area.
 constexpr double kRestReaches = 2.0;
-// Agreement of a group with a motion of its own: at all, and beyond the pose and chance.
-constexpr double kOwnShare = 0.6, kOwnExcess = 0.35;
+constexpr double kOwnExcess = 0.35;  // agreement of a group with a motion of its own, beyond chance
 
 // From where the map puts a group, or anything that stands still could be.
 constexpr double kImpossiblePx = 2;
@@ -75,28 +76,11 @@ struct Cells {
     if (agree[c] + contradict[c] == 0) return false;
     int a = 0, b = 0;
     around(c, [&](int n) { a += agree[n], b += contradict[n]; });
-    return a + b >= kMinAround && b >= kContradictShare * (a + b);
+    return a + b >= kMinAround && b >= kMost * (a + b);
   }
-  // Connected cells that contradict: number of the part by cell, -1 elsewhere. Returns how many parts.
-  int parts(std::vector<int>* part) const {
-    part->assign(agree.size(), -1);
-    std::vector<uint8_t> is_marked(agree.size());
-    for (size_t c = 0; c < agree.size(); ++c) is_marked[c] = contradicts(int(c));
-    int count = 0;
-    std::vector<int> open;
-    for (int first = 0; first < int(agree.size()); ++first) {
-      if (!is_marked[first] || (*part)[first] >= 0) continue;
-      (*part)[first] = count;
-      for (open = {first}; !open.empty();) {
-        const int c = open.back();
-        open.pop_back();
-        around(c, [&](int n) {
-          if (is_marked[n] && (*part)[n] < 0) (*part)[n] = count, open.push_back(n);
-        });
-      }
-      ++count;
-    }
-    return count;
+  // Connected cells that contradict.
+  std::vector<std::vector<int>> parts() const {
+    return cell_groups(columns, rows, 1, [&](size_t c) { return contradicts(int(c)); });
   }
 };
 
@@ -121,7 +105,7 @@ bool rest_is_scene(const ReferenceCloud& cloud, const std::vector<Fit>& fits, co
     ++agree;
     rest.push_back(cloud.points[i].px);
   }
-  return agree >= kRestAgrees * all && agree >= kMinOutside && spread(rest) >= kRestReaches * spread(own);
+  return agree >= kMost * all && agree >= kMinOutside && spread(rest) >= kRestReaches * spread(own);
 }
 
 // Edge pixels of the reference image by cell.
@@ -231,7 +215,7 @@ MovingGroup group_in(std::vector<bool> area, View* seen) {
   const std::vector<OrientedPixel> pixels = pixels_of(view.edges, area);
   if (int(pixels.size()) < kMinEdges) return {};
   const GroupMotion own = align_group(view.current, pixels, first_starts(pixels));
-  if (own.share < kOwnShare || own.share - own.chance < kOwnExcess) return {};
+  if (own.share < kMost || own.share - own.chance < kOwnExcess) return {};
   const PyramidLevel& finest = view.current.finest();
   if (!may_move_by_itself(finest.pinhole, view.cloud, view.T_cur_ref, points, pixels, own.motion)) return {};
   grow(view.cells, view.edges, finest, own.motion, &area);
@@ -249,13 +233,10 @@ MovingGroup find_moving_group(const FramePyramid& current, const ReferenceCloud&
             Cells(current.finest().pinhole),
             {}};
   view.cells.count(cloud, view.fits);
-  std::vector<int> part;
-  const int parts = view.cells.parts(&part);
-  if (parts == 0) return {};
   MovingGroup largest;
-  for (int n = 0; n < parts; ++n) {
-    std::vector<bool> area(part.size());
-    for (size_t c = 0; c < part.size(); ++c) area[c] = part[c] == n;
+  for (const std::vector<int>& part : view.cells.parts()) {
+    std::vector<bool> area(view.cells.agree.size());
+    for (const int c : part) area[size_t(c)] = true;
     MovingGroup group = group_in(std::move(area), &view);
     if (group.points.size() > largest.points.size()) largest = std::move(group);
   }

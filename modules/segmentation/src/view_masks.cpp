@@ -24,6 +24,20 @@ struct ViewMasks::Impl {
     excluded_with = correction;
     labels.exclude(level_area(*own.given(), {edges.width, edges.height, level}, rectification, correction));
   }
+
+  RowShifts row_shifts(const ImageEdges& edges, int level, const ImageCorrection& correction,
+                       const ImageMotion& motion) const {
+    if (correction.readout_s == 0 || !motion.is_known()) return {};
+    const Pinhole camera = rectification.target().at_level(level);
+    std::vector<Eigen::Vector2f> shifts;
+    for (int y = 0; y < edges.height; y += RowShifts::kStepPx)
+      for (int x = 0; x < edges.width; x += RowShifts::kStepPx) {
+        const Eigen::Vector2d here(x, y),
+            from = add_rolling(rectification, row_time(correction), motion, camera.ray(here).head<2>());
+        shifts.push_back((camera.project(from.homogeneous()) - here).cast<float>());
+      }
+    return {edges.width, std::move(shifts)};
+  }
 };
 
 ViewMasks::ViewMasks(const Rectification& rectification, const EdgeParams& params)
@@ -47,9 +61,9 @@ ImageMasks ViewMasks::add_image(const ImageView<uint8_t>& raw) {
 bool ViewMasks::wants_edges() const { return impl_->finds_ego_parts; }
 
 void ViewMasks::add_edges(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
-                          int level, const ImageCorrection& correction) {
+                          int level, const ImageCorrection& correction, const ImageMotion& motion) {
   impl_->exclude_given(edges, level, correction);
-  if (!impl_->labels.add(edges, gradient, shown)) return;
+  if (!impl_->labels.add(edges, gradient, shown, impl_->row_shifts(edges, level, correction, motion))) return;
   if (impl_->labels.area())
     impl_->own.set_found(raw_area(*impl_->labels.area(), level, impl_->rectification, correction));
   else

@@ -1,64 +1,68 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "view_motion.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace edgevo {
 namespace {
 
 constexpr int kMinInBlock = 4;  // edges that show whether a block moves
 // Share that keeps its place: of a block's edges; of all blocks, before anything has crossed; and of those
-// that stood, from image to image: what crosses covers them little by little, a camera that starts moves all
-// at once.
+// that stood, from image to image.
 constexpr double kMinStill = 0.7;
-constexpr int kMinImages = 2;          // for one, every slow camera stands
-constexpr double kMinStanding = 0.05;  // share of the blocks that are still before a camera that stands
-constexpr int kMaxCrossing = 30;       // images in which most of the view moves that was not seen to stand
+constexpr int kMinImages = 2;  // for one, every slow camera stands
+// Images in which most of the view moves: of a view that was never seen to stand, and of one that was, a
+// queue of traffic of 10 to 30 s.
+constexpr int kMaxCrossing = 30, kMaxCovered = 300;
 
 }  // namespace
 
-// What crosses the view covers, little by little, what stood still all over it; else the rest is fixed to a
-// camera that moves.
-void ViewMotion::end_standstill_of_fixed_part(int still) {
+void ViewMotion::decide(int still, int stood, int still_standing) {
+  const auto number = [&](Block how) { return int(std::count(blocks_.begin(), blocks_.end(), how)); };
+  const int hidden = number(Block::kHidden), left = stood - still_standing;
+  const bool at_once = still_standing < kMinStill * stood && 2 * left >= hidden;
+  const bool slides_off = number(Block::kSlid) > hidden + still;
+  stands_ = stands_ ? !at_once && !slides_off : voting_ > 0 && 2 * still >= voting_;
   was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
-  const bool may_be_fixed = stands_ && !was_all_still_;
-  crossed_images_ = may_be_fixed ? crossed_images_ + (2 * moving_ > voting_) : 0;
-  if (crossed_images_ > kMaxCrossing) stands_ = false;
+  crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + 1 : 0;
+  if (crossed_images_ > (was_all_still_ ? kMaxCovered : kMaxCrossing)) stands_ = false;
 }
 
 void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {
   constexpr size_t kBlocks = kColumns * kRows;
-  std::vector<int> all(kBlocks), seen(kBlocks);
+  std::vector<int> all(kBlocks), seen(kBlocks), slid(kBlocks);
   for (const KeptEdge& e : edges.all()) {
     if (!votes[size_t(e.cell)]) continue;
-    ++all[size_t(edges.block(e.cell))];
-    seen[size_t(edges.block(e.cell))] += e.seen;
+    const size_t block = size_t(edges.block(e.cell));
+    ++all[block], seen[block] += e.seen, slid[block] += e.seen || e.slid;
   }
-  std::vector<uint8_t> stood = std::exchange(still_, std::vector<uint8_t>(kBlocks));
-  stood.resize(kBlocks);
+  if (!stands_) blocks_.assign(kBlocks, Block::kMoves);
   moves_.assign(kBlocks, 0);
   voting_ = moving_ = 0;
-  int still = 0, stood_blocks = 0, still_standing = 0;
+  int still = 0, stood = 0, still_standing = 0;
   for (size_t i = 0; i < kBlocks; ++i) {
+    const bool was_still = blocks_[i] == Block::kStill;
     if (all[i] < kMinInBlock) continue;
     ++voting_;
     moves_[i] = 2 * seen[i] < all[i];
     moving_ += moves_[i];
-    still_[i] = seen[i] >= kMinStill * all[i];
-    still += still_[i];
-    stood_blocks += stood[i];
-    still_standing += stood[i] && still_[i];
+    const bool is_still = seen[i] >= kMinStill * all[i];
+    still += is_still, stood += was_still, still_standing += was_still && is_still;
+    if (is_still)
+      blocks_[i] = Block::kStill;
+    else if (was_still)
+      blocks_[i] = slid[i] >= kMinStill * all[i] ? Block::kSlid : Block::kHidden;
   }
-  stands_ = stands_ ? still_standing >= kMinStill * stood_blocks && still >= kMinStanding * voting_
-                    : voting_ > 0 && 2 * still >= voting_;
-  end_standstill_of_fixed_part(still);
+  decide(still, stood, still_standing);
   standing_ = stands_ ? standing_ + 1 : 0;
   since_moving_ = stands_ || moving_ <= still ? since_moving_ + 1 : 0;
 }
 
 StillCells ViewMotion::still_cells() const {
   if (standing_ < kMinImages) return {0, 0, {}, since_moving_};
-  return {kColumns, kRows, still_, since_moving_, was_all_still_};
+  std::vector<uint8_t> still(blocks_.size());
+  for (size_t i = 0; i < still.size(); ++i) still[i] = blocks_[i] == Block::kStill;
+  return {kColumns, kRows, std::move(still), since_moving_, was_all_still_};
 }
 
 }  // namespace edgevo

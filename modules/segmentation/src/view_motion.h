@@ -10,6 +10,11 @@
 namespace edgevo {
 
 /// The votes of the blocks from image to image.
+///
+/// A camera stands if half of the view stands still. What crosses the view then covers more, block by block:
+/// edges vanish there. A camera that begins to move moves everything at once, or slides it little by little.
+/// So a camera that was seen to stand is taken to stand while its view is covered, all of it even. Where most
+/// of the view moves for long and was never seen to stand, the rest is fixed to a camera that moves.
 class ViewMotion {
  public:
   /// Blocks of the view.
@@ -20,22 +25,23 @@ class ViewMotion {
   void vote(const KeptEdges& edges, const std::vector<uint8_t>& votes);
   /// Whether most of the view moves, so that what does not is evidence.
   bool is_moving() const { return !stands_ && voting_ > 0 && 2 * moving_ >= voting_; }
+  /// Whether the camera seems to stand.
+  bool stands() const { return stands_; }
   /// By block: 1 where most edges leave their place.
   const std::vector<uint8_t>& moves() const { return moves_; }
-  /// The blocks that stand still before a camera that stands; else empty. It stands if half of the view
-  /// stands still. Once it stands, what crosses the view may cover more, little by little; a camera that
-  /// begins to move moves everything at once. Where most of the view moves for long and was never seen to
-  /// stand, the rest is fixed to a camera that moves.
+  /// The blocks that stand still before a camera that stands; else empty.
   StillCells still_cells() const;
 
  private:
-  void end_standstill_of_fixed_part(int still);
+  enum class Block : uint8_t { kMoves, kStill, kSlid, kHidden };
+  void decide(int still, int stood, int still_standing);
 
   int voting_ = 0, moving_ = 0;
   int standing_ = 0, since_moving_ = 0;  // images
   bool stands_ = false;
-  std::vector<uint8_t> moves_, still_;
-  // Of a camera that stands: whether nearly all was seen to stand still; if not, images in which most moved.
+  std::vector<uint8_t> moves_;
+  std::vector<Block> blocks_;  // how each left its place, since the camera stands
+  // Of a camera that stands: whether nearly all was seen to stand still; images in a row in which most moved.
   bool was_all_still_ = false;
   int crossed_images_ = 0;
 };

@@ -44,7 +44,8 @@ BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonito
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
-  if (!status.result && !now.still.empty()) return {std::nullopt, {{ReasonKind::kStands}}};
+  if (!status.result && !now.still.empty())
+    return {std::nullopt, {{now.still.is_certain ? ReasonKind::kStands : ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
   begin_map(std::move(*status.result), before);
   return {std::nullopt, {{ReasonKind::kMapBegun}}};

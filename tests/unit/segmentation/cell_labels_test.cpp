@@ -235,6 +235,22 @@ TEST(CellLabels, AKnownPartHasNoVoteInAStandstill) {
   EXPECT_FALSE(still.contain(0.5, 0.9)) << "fixed to the camera, whether it stands or not";
 }
 
+// Its rows are not where the camera's motion moves those of the scene: rectified, it sways with every turn.
+TEST(CellLabels, APartIsMaskedBehindARollingShutter) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  ImageCorrection correction;
+  correction.readout_s = 0.03;
+  builder.builder.set_correction(correction);
+  std::shared_ptr<const FramePyramid> pyramid;
+  for (int i = 0; i < 60; ++i) {
+    ImageMotion motion;
+    motion.velocity.segment<2>(3) << 1.5 * std::sin(1.1 * i), 1.5 * std::cos(1.7 * i);  // rad/s
+    pyramid = builder.build(part_view(i * 3, i * 1.3, gripper, uint64_t(i + 1)), motion);
+  }
+  ASSERT_TRUE(pyramid->ego_mask);
+  EXPECT_GT(covered(pyramid->source, *pyramid).of_part, 0.95);
+}
+
 TEST(CellLabels, ThePartMayBeInViewUntilTheMaskHolds) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   auto before = show(&builder, 1, 3, 1.3, gripper);
@@ -306,6 +322,38 @@ TEST(StillCells, StandWhileABusHidesMostOfTheView) {
     builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
     EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
   }
+}
+
+// One that hides all of it, for some sixty images; then the camera drives off.
+TEST(StillCells, StandWhileABusHidesTheWholeView) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 130; ++i) {
+    const double right = 12 * i;
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x > right || x < right - 1000) return std::nullopt;
+      return random_blocks(x - right, y, 3);
+    };
+    ASSERT_FALSE(builder.build(part_view(0, 0, bus, uint64_t(i + 1)))->ego_mask) << i;
+    EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
+  }
+  show(&builder, 3, 3, 1.3, no_body, 1);
+  EXPECT_EQ(builder.masks.still_cells().images, 0);
+}
+
+// A camera that starts so slowly that blocks of the view leave their place one after the other.
+TEST(StillCells, MoveOnceTheViewHasSlidAway) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  show(&builder, 5, 0, 0, no_body);
+  int moved_at = 0;
+  for (int i = 1; i <= 100 && !moved_at; ++i) {
+    const Body ahead = [&](double x, double y) -> std::optional<double> {
+      const double size = 1 + 0.0005 * i, u = kPartWidth / 2, v = kPartHeight / 2;
+      return random_blocks(u + (x - u) / size, v + (y - v) / size, 1);
+    };
+    builder.build(part_view(0, 0, ahead, uint64_t(i + 9)));
+    if (builder.masks.still_cells().images == 0) moved_at = i;
+  }
+  EXPECT_GT(moved_at, 5);
 }
 
 TEST(StillCells, AreThoseThatABusDoesNotCover) {

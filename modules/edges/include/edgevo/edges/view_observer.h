@@ -8,6 +8,7 @@
 #include "edgevo/edges/gradient.h"
 #include "edgevo/edges/image_correction.h"
 #include "edgevo/edges/image_edges.h"
+#include "edgevo/edges/image_motion.h"
 #include "edgevo/edges/plane.h"
 
 namespace edgevo {
@@ -30,9 +31,9 @@ class ViewObserver {
   virtual bool wants_edges() const = 0;
   /// Adds the edges of that image on the coarsest level with edges, number `level`: also those under the ego
   /// mask, but not those of its border or of rows of an older one: there `shown`, of that level's size, is 0;
-  /// empty if there is no such area. `correction`: that of the image.
+  /// empty if there is no such area. `correction`, `motion`: for which the image was rectified.
   virtual void add_edges(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown,
-                         int level, const ImageCorrection& correction) = 0;
+                         int level, const ImageCorrection& correction, const ImageMotion& motion) = 0;
 };
 
 }  // namespace edgevo

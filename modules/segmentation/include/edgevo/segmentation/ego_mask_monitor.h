@@ -19,13 +19,13 @@ class EgoMaskMonitor {
   const std::string& description() const { return description_; }
   /// Whether no map is to be made of a frame and one `images` before it: a part may be fixed to the camera
   /// (ViewMasks::may_show_ego_part), or the camera has seemed to stand since (StillCells), and what moves
-  /// crosses it. At most 30 frames are delayed for the one, and 300 for the other.
+  /// crosses it. At most 30 frames are delayed for the one.
   bool delays_map(bool may_show_ego_part, const StillCells& still, int images);
 
  private:
   std::shared_ptr<const Plane<uint8_t>> newest_;
   double share_ = 0;
-  int delayed_ = 0, stood_ = 0;
+  int delayed_ = 0;
   std::string description_;
 };
 

@@ -24,7 +24,7 @@ class ViewMasks final : public ViewObserver {
   ImageMasks add_image(const ImageView<uint8_t>& raw) override;
   bool wants_edges() const override;
   void add_edges(const ImageEdges& edges, const Gradient& gradient, const Plane<uint8_t>& shown, int level,
-                 const ImageCorrection& correction) override;
+                 const ImageCorrection& correction, const ImageMotion& motion) override;
 
   /// Whether a part of the newest view may be fixed to the camera, which the next images will show.
   bool may_show_ego_part() const;
