@@ -41,7 +41,7 @@ MapperParams mapper_params(const OdometryParams& p) {
 }
 
 MapLinkOptions map_options(const OdometryOptions& o) {
-  return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget};
+  return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget, o.camera};
 }
 
 }  // namespace
