@@ -169,6 +169,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
     history.interrupt();
+    turn_by_gyro.interrupt();
     integrity.add_lost();
     keep_views_before();
     return;
@@ -225,9 +226,11 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
-  const FrameConfidence found =
-      confidence.add({record->evidence, history.newest(),
-                      frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
+  const FrameConfidence found = confidence.add(
+      {record->evidence, history.newest(),
+       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map),
+       turn_by_gyro.add(record->time, newest_pose.T_cam_map->rotation(),
+                        [&](Timestamp a, Timestamp b) { return front_end.gyro().turn(a, b); })});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);

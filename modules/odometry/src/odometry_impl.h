@@ -111,6 +111,7 @@ struct Odometry::Impl {
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;
+  TurnByGyro turn_by_gyro;
   double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
   IntegrityMonitor integrity;
   ScaleComparisons scales;
