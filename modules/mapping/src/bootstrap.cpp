@@ -68,6 +68,7 @@ struct Bootstrap::Impl {
   Pinhole pinhole;
   BootstrapParams params;
   Random random{0};
+  TurnBetween turn_between;
   std::vector<BootstrapView> views;
   // For each view, pixels of the corners that are still alive: as they are followed, and where all rows had
   // one time.
@@ -186,9 +187,11 @@ struct Bootstrap::Impl {
     const double needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return no_views(ReasonKind::kLittleMotion, disparity, needed);
     straighten();
-    const std::vector<TwoViewMotion> motions = possible_motions();
+    const std::optional<TurnOfViews> known = known_turn();
+    const TurnOfViews* turn = known ? &*known : nullptr;
+    const std::vector<TwoViewMotion> motions = possible_motions(turn);
     if (motions.empty()) return no_views(ReasonKind::kNoMotionFits);
-    const Choice choice = views.size() > 2 ? choose_by_views(motions) : choose_by_error(motions);
+    const Choice choice = views.size() > 2 ? choose_by_views(motions, turn) : choose_by_error(motions);
     const int agreeing = cv::countNonZero(choice.best.inliers);
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
@@ -200,8 +203,17 @@ struct Bootstrap::Impl {
     return status;
   }
 
-  // Those of RANSAC and of a plane, and the one that the frame before chose.
-  std::vector<TwoViewMotion> possible_motions() {
+  // Between the first view and the last, as another sensor has measured it.
+  std::optional<TurnOfViews> known_turn() const {
+    const auto turn =
+        turn_between ? turn_between(views.front().time, views.back().time) : std::optional<CameraTurn>();
+    if (!turn) return std::nullopt;
+    return TurnOfViews{turn->R, turn->covariance.inverse()};
+  }
+
+  // Those of RANSAC and of a plane, and the one that the frame before chose; with a known turn those that it
+  // does not contradict by more than the depths could bear, and the one that has it.
+  std::vector<TwoViewMotion> possible_motions(const TurnOfViews* turn) {
     const Corners &a = straight.front(), &b = straight.back();
     std::vector<TwoViewMotion> motions =
         estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
@@ -211,7 +223,19 @@ struct Bootstrap::Impl {
       motions.push_back(measure_motion(pinhole, a, b, kBootstrapRansacPx, *chosen_before));
       motions.back().model = "the choice of the frame before";
     }
+    if (turn) keep_to_turn(*turn, &motions);
     return without_repeats(std::move(motions));
+  }
+
+  void keep_to_turn(const TurnOfViews& turn, std::vector<TwoViewMotion>* motions) {
+    const SE3 known(turn.R_last_first, Eigen::Vector3d::Zero());
+    const auto is_refuted = [&](const TwoViewMotion& m) {
+      return turn.contradicts(m.T_last_first.rotation()) && disagree(m.T_last_first, known, m.parallax_rad);
+    };
+    motions->erase(std::remove_if(motions->begin(), motions->end(), is_refuted), motions->end());
+    const Corners &a = straight.front(), &b = straight.back();
+    if (auto m = estimate_motion_with_turn(pinhole, a, b, kBootstrapRansacPx, turn, &random))
+      motions->push_back(std::move(*m));
   }
 
   struct Choice {
@@ -231,19 +255,19 @@ struct Bootstrap::Impl {
   }
 
   // The motion that the views between allow. It is ambiguous while another one fits them about as well.
-  Choice choose_by_views(const std::vector<TwoViewMotion>& motions) {
+  Choice choose_by_views(const std::vector<TwoViewMotion>& motions, const TurnOfViews* turn) {
     constexpr double kRefuted = 1.1;  // times the best error
     const std::vector<Corners> views = fitted_views();
     std::vector<ViewFit> fits;
     std::vector<const char*> models;
     for (const TwoViewMotion& m : motions)
-      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first))
+      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first, turn))
         fits.push_back(*fit), models.push_back(m.model);
     if (fits.empty()) return choose_by_error(motions);
     const auto best = std::min_element(fits.begin(), fits.end(),
                                        [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
     chosen_before = best->T_last_first;
-    Choice choice{of_two_views(best->T_last_first), false, {}};
+    Choice choice{of_two_views(best->T_last_first, turn), false, {}};
     double next_px = std::numeric_limits<double>::infinity();  // of a motion that disagrees
     for (const ViewFit& other : fits)
       if (disagree(other.T_last_first, best->T_last_first, choice.best.parallax_rad))
@@ -258,10 +282,10 @@ struct Bootstrap::Impl {
 
   // The motion refined to the first and the last view, by which depths are triangulated, unless that leads
   // away to the wrong motion of a plane.
-  TwoViewMotion of_two_views(const SE3& T_last_first) const {
+  TwoViewMotion of_two_views(const SE3& T_last_first, const TurnOfViews* turn) const {
     const Corners &a = straight.front(), &b = straight.back();
     TwoViewMotion as_it_is = measure_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
-    TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
+    TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first, turn);
     return disagree(refined.T_last_first, T_last_first, as_it_is.parallax_rad) ? as_it_is : refined;
   }
 
@@ -335,12 +359,14 @@ struct Bootstrap::Impl {
   }
 };
 
-Bootstrap::Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed)
+Bootstrap::Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed,
+                     TurnBetween turn)
     : impl_(new Impl) {
   impl_->rectification = rectification;
   impl_->pinhole = rectification.target();
   impl_->params = params;
   impl_->random = Random::derive(seed, 1);
+  impl_->turn_between = std::move(turn);
 }
 Bootstrap::~Bootstrap() = default;
 

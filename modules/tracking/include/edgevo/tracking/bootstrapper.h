@@ -2,14 +2,12 @@
 #pragma once
 // The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
-#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
@@ -44,9 +42,6 @@ struct SegmentBeginning {
   /// What links the map to that of the last sure view before it; nothing if nothing does.
   std::optional<ViewLink> link;
 };
-
-/// Rotation of the camera between two times by another sensor; nothing if none knows it.
-using TurnBetween = std::function<std::optional<CameraTurn>(Timestamp begin, Timestamp end)>;
 
 /// Runs bootstraps and begins segments; for the tracking thread.
 class Bootstrapper {
