@@ -10,6 +10,7 @@
 #include "edgevo/map/map_log.h"
 #include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
+#include "edgevo/scale/up_by_gravity.h"
 #include "first_frames.h"
 #include "first_look.h"
 #include "lenient_source.h"
@@ -139,6 +140,11 @@ std::exception_ptr exception_of(const Stop& stop, Work&& work) {
 
 }  // namespace
 
+std::optional<UpEstimate> RunResult::up_by_gravity() const {
+  if (!gyro.model) return std::nullopt;
+  return edgevo::up_by_gravity(run, accelerations, *gyro.model);
+}
+
 RunResult run_odometry(ImageSource& source, const OdometryParams& params, const RunLoopOptions& requested,
                        const OnFrame& on_frame) {
   OdometryOptions options = requested.odometry;
@@ -165,6 +171,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
       lenient, odometry, past, gyro, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] {
     result.gyro = odometry.gyro();
+    result.accelerations = gyro.take_accelerations();
     if (const std::string mismatch = gyro.mismatch(); !mismatch.empty()) result.gyro.statement = mismatch;
     result.cpu_s += cpu_seconds([&] {
       odometry.close();
