@@ -37,8 +37,8 @@ constexpr int kMotionTrials = 5;
 constexpr int kMaxDisagreeing = 8;
 constexpr int kMaxFirstCorners = 1200;      // followed from the first view
 constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
-// Share of the corners that must agree with the essential matrix.
-constexpr double kMinInlierShare = 0.6;
+constexpr double kMinInlierShare = 0.6;     // of the corners that must agree with the essential matrix
+constexpr double kRefuted = 1.1;            // error of a motion over the best one
 // Views between and corners by which motions are compared: more add little.
 constexpr size_t kComparedViews = 6, kComparedCorners = 300;
 
@@ -187,11 +187,9 @@ struct Bootstrap::Impl {
     const double needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return no_views(ReasonKind::kLittleMotion, disparity, needed);
     straighten();
-    const std::optional<TurnOfViews> known = known_turn();
-    const TurnOfViews* turn = known ? &*known : nullptr;
-    const std::vector<TwoViewMotion> motions = possible_motions(turn);
+    const std::vector<TwoViewMotion> motions = possible_motions();
     if (motions.empty()) return no_views(ReasonKind::kNoMotionFits);
-    const Choice choice = views.size() > 2 ? choose_by_views(motions, turn) : choose_by_error(motions);
+    const Choice choice = choose(motions);
     const int agreeing = cv::countNonZero(choice.best.inliers);
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
@@ -205,15 +203,13 @@ struct Bootstrap::Impl {
 
   // Between the first view and the last, as another sensor has measured it.
   std::optional<TurnOfViews> known_turn() const {
-    const auto turn =
-        turn_between ? turn_between(views.front().time, views.back().time) : std::optional<CameraTurn>();
-    if (!turn) return std::nullopt;
-    return TurnOfViews{turn->R, turn->covariance.inverse()};
+    if (!turn_between) return std::nullopt;
+    const auto turn = turn_between(views.front().time, views.back().time);
+    return turn ? std::make_optional(TurnOfViews{turn->R, turn->covariance.inverse()}) : std::nullopt;
   }
 
-  // Those of RANSAC and of a plane, and the one that the frame before chose; with a known turn those that it
-  // does not contradict by more than the depths could bear, and the one that has it.
-  std::vector<TwoViewMotion> possible_motions(const TurnOfViews* turn) {
+  // Those of RANSAC and of a plane, and the one that the frame before chose.
+  std::vector<TwoViewMotion> possible_motions() {
     const Corners &a = straight.front(), &b = straight.back();
     std::vector<TwoViewMotion> motions =
         estimate_motions(pinhole, a, b, kBootstrapRansacPx, kMotionTrials, &random);
@@ -223,10 +219,10 @@ struct Bootstrap::Impl {
       motions.push_back(measure_motion(pinhole, a, b, kBootstrapRansacPx, *chosen_before));
       motions.back().model = "the choice of the frame before";
     }
-    if (turn) keep_to_turn(*turn, &motions);
     return without_repeats(std::move(motions));
   }
 
+  // Leaves those that a turn does not contradict by more than depths bear; adds the one that has it.
   void keep_to_turn(const TurnOfViews& turn, std::vector<TwoViewMotion>* motions) {
     const SE3 known(turn.R_last_first, Eigen::Vector3d::Zero());
     const auto is_refuted = [&](const TwoViewMotion& m) {
@@ -242,7 +238,24 @@ struct Bootstrap::Impl {
     TwoViewMotion best;
     bool is_ambiguous = false;
     std::string why;
+    double error_px = 0;
   };
+
+  // With the known turn, unless the images refute it: whoever measured it may be wrong.
+  Choice choose(std::vector<TwoViewMotion> motions) {
+    const auto best_of = [&](const TurnOfViews* turn) {
+      return views.size() > 2 ? choose_by_views(motions, turn) : choose_by_error(motions);
+    };
+    const Choice by_images = best_of(nullptr);
+    const std::optional<TurnOfViews> turn = known_turn();
+    if (turn) keep_to_turn(*turn, &motions);
+    if (!turn || motions.empty()) return by_images;
+    const auto chosen_by_images = chosen_before;
+    Choice with_turn = best_of(&*turn);
+    const bool is_refuted = with_turn.error_px > kRefuted * by_images.error_px;
+    if (is_refuted) chosen_before = chosen_by_images;
+    return is_refuted ? by_images : with_turn;
+  }
 
   static Choice choose_by_error(const std::vector<TwoViewMotion>& motions) {
     const TwoViewMotion& best =
@@ -251,12 +264,12 @@ struct Bootstrap::Impl {
     return {best, is_ambiguous(best, motions),
             std::string("motion by ") + best.model +
                 sentence(", %.2f px over two views, the best of %.0f", best.median_error_px,
-                         double(motions.size()))};
+                         double(motions.size())),
+            best.median_error_px};
   }
 
   // The motion that the views between allow. It is ambiguous while another one fits them about as well.
   Choice choose_by_views(const std::vector<TwoViewMotion>& motions, const TurnOfViews* turn) {
-    constexpr double kRefuted = 1.1;  // times the best error
     const std::vector<Corners> views = fitted_views();
     std::vector<ViewFit> fits;
     std::vector<const char*> models;
@@ -267,7 +280,7 @@ struct Bootstrap::Impl {
     const auto best = std::min_element(fits.begin(), fits.end(),
                                        [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
     chosen_before = best->T_last_first;
-    Choice choice{of_two_views(best->T_last_first, turn), false, {}};
+    Choice choice{of_two_views(best->T_last_first, turn), false, {}, best->error_px};
     double next_px = std::numeric_limits<double>::infinity();  // of a motion that disagrees
     for (const ViewFit& other : fits)
       if (disagree(other.T_last_first, best->T_last_first, choice.best.parallax_rad))
@@ -302,8 +315,7 @@ struct Bootstrap::Impl {
 
   // Triangulates the inliers that lie in front of both cameras.
   Triangulation triangulate_inliers(const SE3& T_last_first, const cv::Mat& inliers) const {
-    const Corners& a = straight.front();
-    const Corners& b = straight.back();
+    const Corners &a = straight.front(), &b = straight.back();
     Triangulation t;
     for (size_t i = 0; i < a.size(); ++i) {
       if (!inliers.at<uchar>(int(i))) continue;

@@ -235,7 +235,8 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
-  if (!is_map_in_doubt(*record)) front_end.confirm_turn();
+  doubted_by_images = record->state == TrackingState::kLost || found.p_right_by_images < kDoubtfulBelow;
+  if (!doubted_by_images) front_end.confirm_turn();
 }
 
 // ---- doubt ----
@@ -243,7 +244,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
 void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found =
-      integrity.add(now.frame.index, view, is_map_in_doubt(*now.record) || unit_sigma > kUnitKnown);
+      integrity.add(now.frame.index, view, doubted_by_images || unit_sigma > kUnitKnown);
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {

@@ -72,8 +72,9 @@ struct FrameConfidence {
   /// Standard deviation of the logarithm of the unit of length that the map has carried over the last fifty
   /// frames, and the probability that it is off by more than the tolerance of a length.
   double unit_sigma = 0, p_wrong_unit = 0;
-  /// Probability that the turn is wrong, by a gyro.
-  double p_wrong_turn = 0;
+  /// Probability that the turn is wrong, by a gyro, and `p_right` without it: what a gyro contradicts is
+  /// still to be shown to it, since the gyro may be wrong.
+  double p_wrong_turn = 0, p_right_by_images = 0;
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
   /// Whether the step is longer than StepGateParams::times the median of the 50 before, in the unit of the
