@@ -83,6 +83,20 @@ class HollowScene {
       return gain * texture_.at(p) + offset + (noise > 0 ? noise * random.normal() : 0.0);
     });
   }
+  /// As a rolling shutter sees it: T_world_cam(late) is the pose when a row is taken, late from -0.5 (first
+  /// row) to 0.5 (last row).
+  template <class PoseWhen>
+  GrayImage render_rolling(const PoseWhen& T_world_cam, double noise, uint64_t noise_seed) const {
+    Random random(noise_seed);
+    const Pinhole& pinhole = camera.pinhole();
+    std::vector<SE3> at_row;
+    for (int v = 0; v < pinhole.height; ++v) at_row.push_back(T_world_cam(v / (pinhole.height - 1.0) - 0.5));
+    return make_image(pinhole.width, pinhole.height, [&](double u, double v) {
+      const SE3& T = at_row[size_t(v)];
+      const Eigen::Vector3d p = T.R() * pinhole.ray({u, v}) / idepth(T, {u, v}) + T.translation();
+      return texture_.at(p) + noise * random.normal();
+    });
+  }
   std::shared_ptr<const FramePyramid> pyramid(const SE3& T_world_cam, double gain = 1.0, double offset = 0.0,
                                               double noise = 0.0, uint64_t noise_seed = 1) const {
     return PyramidBuilder(camera, EdgeParams()).build(render(T_world_cam, gain, offset, noise, noise_seed));

@@ -33,9 +33,7 @@ std::optional<SensorReading> first_inertial(const SensorReadings& readings) {
   return std::nullopt;
 }
 
-const Eigen::Vector3d& rate_of(const SensorReading& reading) {
-  return std::get<ImuReading>(reading.value).angular_velocity;
-}
+const ImuReading& imu_of(const SensorReading& reading) { return std::get<ImuReading>(reading.value); }
 
 struct ChosenGyro {
   SensorReadings readings;
@@ -52,7 +50,8 @@ struct ChosenGyro {
         reading = next_inertial(readings);
       }
       if (!reading) return std::nullopt;
-      if (reading->label == label) return GyroSample{reading->time, rate_of(*reading)};
+      if (reading->label == label)
+        return GyroSample{reading->time, imu_of(*reading).angular_velocity, imu_of(*reading).acceleration};
     }
   }
 };
@@ -67,7 +66,7 @@ GyroReadings gyro_of(SensorReadings readings) {
   for (int i = 0; i < kSearched; ++i) {
     auto reading = i == 0 ? first_inertial(chosen->readings) : next_inertial(chosen->readings);
     if (!reading) break;
-    if (!rate_of(*reading).isZero()) ++turning[reading->label];
+    if (!imu_of(*reading).angular_velocity.isZero()) ++turning[reading->label];
     chosen->first.push_back(std::move(*reading));
   }
   const auto most = std::max_element(turning.begin(), turning.end(),

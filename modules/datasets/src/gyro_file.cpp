@@ -154,8 +154,11 @@ GyroFile read_gyro_file(const std::string& path) {
   const std::vector<Timestamp> times = times_of(rows, path);
   check_order(times, rows);
   if (columns.is_degrees) file.decided = "in degrees a second, as its header says";
+  const Triples& accelerations = is_second ? rows.first : rows.second;
+  const double unit = columns.is_degrees ? rad(1) : 1;
   for (size_t i = 0; i < times.size(); ++i)
-    file.samples.push_back({times[i], columns.is_degrees ? Eigen::Vector3d(rad(1) * rates[i]) : rates[i]});
+    file.samples.push_back(
+        {times[i], unit * rates[i], has_both ? accelerations[i] : Eigen::Vector3d(Eigen::Vector3d::Zero())});
   return file;
 }
 

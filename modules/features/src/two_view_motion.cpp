@@ -10,6 +10,7 @@
 #include "edgevo/bundle_adjustment/epipolar_lines.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/robust.h"
+#include "edgevo/core/rotation_vector.h"
 #include "edgevo/opencv_bridge/opencv_pose.h"
 #include "motion_of_essential.h"
 
@@ -111,7 +112,7 @@ std::vector<SE3> motions_of_homography(const cv::Mat& H, const cv::Mat& K,
 // the more agree, the less depends on the sample.
 SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
                         const std::vector<Eigen::Vector3d>& last, double focal_px, double ransac_px,
-                        cv::Mat* inliers) {
+                        cv::Mat* inliers, const TurnOfViews* turn) {
   constexpr int kRounds = 3;  // as measured: lab 2026-11-22_bootstrap
   for (int round = 0; round < kRounds; ++round) {
     std::vector<Eigen::Vector3d> x, y;
@@ -120,7 +121,7 @@ SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
       x.push_back(first[i]);
       y.push_back(last[i]);
     }
-    T = refine_motion(T, x, y, focal_px, 0.5 * ransac_px);
+    T = refine_motion(T, x, y, focal_px, 0.5 * ransac_px, turn);
     find_inliers(T, first, last, focal_px, ransac_px, inliers);
   }
   return T;
@@ -129,11 +130,11 @@ SE3 refine_over_inliers(SE3 T, const std::vector<Eigen::Vector3d>& first,
 // A motion refined from a start, over the corners that agree with it.
 TwoViewMotion refined(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
                       const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start,
-                      cv::Mat inliers) {
+                      cv::Mat inliers, const TurnOfViews* turn = nullptr) {
   const std::vector<Eigen::Vector3d> rays_first = rays_of(pinhole, first), rays_last = rays_of(pinhole, last);
   TwoViewMotion m;
   m.inliers = std::move(inliers);
-  m.T_last_first = refine_over_inliers(start, rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers);
+  m.T_last_first = refine_over_inliers(start, rays_first, rays_last, pinhole.fx, ransac_px, &m.inliers, turn);
   measure(rays_first, rays_last, pinhole.fx, &m);
   return m;
 }
@@ -145,7 +146,8 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& rays_first,
-                  const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px) {
+                  const std::vector<Eigen::Vector3d>& rays_last, double focal_px, double huber_px,
+                  const TurnOfViews* turn) {
   SE3 T = T_last_first;
   for (int iteration = 0; iteration < kRefineIterations; ++iteration) {
     const Eigen::Vector3d t = T.translation();
@@ -163,6 +165,11 @@ SE3 refine_motion(const SE3& T_last_first, const std::vector<Eigen::Vector3d>& r
       const double w = huber_weight(r, huber_px);
       H.noalias() += w * J * J.transpose();
       b.noalias() += w * r * J;
+    }
+    if (turn) {
+      const Eigen::Matrix3d information = huber_px * huber_px * turn->information;
+      H.topLeftCorner<3, 3>() += information;
+      b.head<3>() += information * rotation_vector(T.rotation() * turn->R_last_first.conjugate());
     }
     // Keeps the matrix invertible where an unknown is not constrained.
     H.diagonal().array() += 1e-9 * (H.trace() + 1e-9);
@@ -213,10 +220,48 @@ std::vector<TwoViewMotion> estimate_motions_of_plane(const Pinhole& pinhole,
   return motions;
 }
 
+bool TurnOfViews::contradicts(const Eigen::Quaterniond& R) const {
+  constexpr double kSigmas = 3;
+  const Eigen::Vector3d off = rotation_vector(R * R_last_first.conjugate());
+  return off.dot(information * off) > kSigmas * kSigmas;
+}
+
+// Both rays of a corner and the translation lie in one plane: t is across the normals of two of them.
+std::optional<TwoViewMotion> estimate_motion_with_turn(const Pinhole& pinhole,
+                                                       const std::vector<cv::Point2f>& first,
+                                                       const std::vector<cv::Point2f>& last, double ransac_px,
+                                                       const TurnOfViews& turn, Random* random) {
+  constexpr int kTrials =
+      50;  // of which one has two right corners if half of all are wrong: all but 1 in 10^6
+  const std::vector<Eigen::Vector3d> x = rays_of(pinhole, first), y = rays_of(pinhole, last);
+  const auto normal = [&](int i) {
+    return Eigen::Vector3d((turn.R_last_first * x[size_t(i)]).cross(y[size_t(i)]));
+  };
+  cv::Mat inliers = cv::Mat::zeros(int(first.size()), 1, CV_8U), best;
+  SE3 start;
+  int most = 0;
+  for (int trial = 0; trial < kTrials && first.size() > 1; ++trial) {
+    const int i = random->below(int(first.size())), j = random->below(int(first.size()));
+    const Eigen::Vector3d t = normal(i).cross(normal(j));
+    if (t.norm() < kMinLineLength * kMinLineLength) continue;
+    for (const double sign : {1.0, -1.0}) {
+      const SE3 T(turn.R_last_first, sign * t.normalized());
+      find_inliers(T, x, y, pinhole.fx, ransac_px, &inliers);
+      if (const int count = cv::countNonZero(inliers); count > most)
+        most = count, start = T, best = inliers.clone();
+    }
+  }
+  if (most == 0) return std::nullopt;
+  TwoViewMotion m = refined(pinhole, first, last, ransac_px, start, best, &turn);
+  m.model = "gyro";
+  return m;
+}
+
 TwoViewMotion refined_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,
-                             const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start) {
+                             const std::vector<cv::Point2f>& last, double ransac_px, const SE3& start,
+                             const TurnOfViews* turn) {
   return refined(pinhole, first, last, ransac_px, start,
-                 measure_motion(pinhole, first, last, ransac_px, start).inliers);
+                 measure_motion(pinhole, first, last, ransac_px, start).inliers, turn);
 }
 
 TwoViewMotion measure_motion(const Pinhole& pinhole, const std::vector<cv::Point2f>& first,

@@ -112,8 +112,9 @@ bool place_view(const Pinhole& pinhole, const std::vector<cv::Point3f>& points, 
 }
 
 std::optional<ViewFit> fit_views(const Pinhole& pinhole, const std::vector<Corners>& views,
-                                 const SE3& T_last_first) {
+                                 const SE3& T_last_first, const TurnOfViews* turn) {
   BaProblem problem = problem_of(pinhole, views, T_last_first);
+  if (turn) problem.turns.push_back({0, int(views.size()) - 1, turn->R_last_first, turn->information});
   BaOptions options;
   options.max_iterations = kFitIterations;
   const BaResult result = make_bundle_adjuster("schur")->solve(&problem, options);

@@ -37,8 +37,8 @@ constexpr int kMotionTrials = 5;
 constexpr int kMaxDisagreeing = 8;
 constexpr int kMaxFirstCorners = 1200;      // followed from the first view
 constexpr double kBootstrapRansacPx = 0.7;  // inlier threshold of the essential matrix
-// Share of the corners that must agree with the essential matrix.
-constexpr double kMinInlierShare = 0.6;
+constexpr double kMinInlierShare = 0.6;     // of the corners that must agree with the essential matrix
+constexpr double kRefuted = 1.1;            // error of a motion over the best one
 // Views between and corners by which motions are compared: more add little.
 constexpr size_t kComparedViews = 6, kComparedCorners = 300;
 
@@ -68,6 +68,7 @@ struct Bootstrap::Impl {
   Pinhole pinhole;
   BootstrapParams params;
   Random random{0};
+  TurnBetween turn_between;
   std::vector<BootstrapView> views;
   // For each view, pixels of the corners that are still alive: as they are followed, and where all rows had
   // one time.
@@ -188,7 +189,7 @@ struct Bootstrap::Impl {
     straighten();
     const std::vector<TwoViewMotion> motions = possible_motions();
     if (motions.empty()) return no_views(ReasonKind::kNoMotionFits);
-    const Choice choice = views.size() > 2 ? choose_by_views(motions) : choose_by_error(motions);
+    const Choice choice = choose(motions);
     const int agreeing = cv::countNonZero(choice.best.inliers);
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
@@ -198,6 +199,13 @@ struct Bootstrap::Impl {
     if (status.result)
       status.result->why = choice.why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);
     return status;
+  }
+
+  // Between the first view and the last, as another sensor has measured it.
+  std::optional<TurnOfViews> known_turn() const {
+    if (!turn_between) return std::nullopt;
+    const auto turn = turn_between(views.front().time, views.back().time);
+    return turn ? std::make_optional(TurnOfViews{turn->R, turn->covariance.inverse()}) : std::nullopt;
   }
 
   // Those of RANSAC and of a plane, and the one that the frame before chose.
@@ -214,11 +222,40 @@ struct Bootstrap::Impl {
     return without_repeats(std::move(motions));
   }
 
+  // Leaves those that a turn does not contradict by more than depths bear; adds the one that has it.
+  void keep_to_turn(const TurnOfViews& turn, std::vector<TwoViewMotion>* motions) {
+    const SE3 known(turn.R_last_first, Eigen::Vector3d::Zero());
+    const auto is_refuted = [&](const TwoViewMotion& m) {
+      return turn.contradicts(m.T_last_first.rotation()) && disagree(m.T_last_first, known, m.parallax_rad);
+    };
+    motions->erase(std::remove_if(motions->begin(), motions->end(), is_refuted), motions->end());
+    const Corners &a = straight.front(), &b = straight.back();
+    if (auto m = estimate_motion_with_turn(pinhole, a, b, kBootstrapRansacPx, turn, &random))
+      motions->push_back(std::move(*m));
+  }
+
   struct Choice {
     TwoViewMotion best;
     bool is_ambiguous = false;
     std::string why;
+    double error_px = 0;
   };
+
+  // With the known turn, unless the images refute it: whoever measured it may be wrong.
+  Choice choose(std::vector<TwoViewMotion> motions) {
+    const auto best_of = [&](const TurnOfViews* turn) {
+      return views.size() > 2 ? choose_by_views(motions, turn) : choose_by_error(motions);
+    };
+    const Choice by_images = best_of(nullptr);
+    const std::optional<TurnOfViews> turn = known_turn();
+    if (turn) keep_to_turn(*turn, &motions);
+    if (!turn || motions.empty()) return by_images;
+    const auto chosen_by_images = chosen_before;
+    Choice with_turn = best_of(&*turn);
+    const bool is_refuted = with_turn.error_px > kRefuted * by_images.error_px;
+    if (is_refuted) chosen_before = chosen_by_images;
+    return is_refuted ? by_images : with_turn;
+  }
 
   static Choice choose_by_error(const std::vector<TwoViewMotion>& motions) {
     const TwoViewMotion& best =
@@ -227,23 +264,23 @@ struct Bootstrap::Impl {
     return {best, is_ambiguous(best, motions),
             std::string("motion by ") + best.model +
                 sentence(", %.2f px over two views, the best of %.0f", best.median_error_px,
-                         double(motions.size()))};
+                         double(motions.size())),
+            best.median_error_px};
   }
 
   // The motion that the views between allow. It is ambiguous while another one fits them about as well.
-  Choice choose_by_views(const std::vector<TwoViewMotion>& motions) {
-    constexpr double kRefuted = 1.1;  // times the best error
+  Choice choose_by_views(const std::vector<TwoViewMotion>& motions, const TurnOfViews* turn) {
     const std::vector<Corners> views = fitted_views();
     std::vector<ViewFit> fits;
     std::vector<const char*> models;
     for (const TwoViewMotion& m : motions)
-      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first))
+      if (const std::optional<ViewFit> fit = fit_views(pinhole, views, m.T_last_first, turn))
         fits.push_back(*fit), models.push_back(m.model);
     if (fits.empty()) return choose_by_error(motions);
     const auto best = std::min_element(fits.begin(), fits.end(),
                                        [](const auto& f, const auto& g) { return f.error_px < g.error_px; });
     chosen_before = best->T_last_first;
-    Choice choice{of_two_views(best->T_last_first), false, {}};
+    Choice choice{of_two_views(best->T_last_first, turn), false, {}, best->error_px};
     double next_px = std::numeric_limits<double>::infinity();  // of a motion that disagrees
     for (const ViewFit& other : fits)
       if (disagree(other.T_last_first, best->T_last_first, choice.best.parallax_rad))
@@ -258,10 +295,10 @@ struct Bootstrap::Impl {
 
   // The motion refined to the first and the last view, by which depths are triangulated, unless that leads
   // away to the wrong motion of a plane.
-  TwoViewMotion of_two_views(const SE3& T_last_first) const {
+  TwoViewMotion of_two_views(const SE3& T_last_first, const TurnOfViews* turn) const {
     const Corners &a = straight.front(), &b = straight.back();
     TwoViewMotion as_it_is = measure_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
-    TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first);
+    TwoViewMotion refined = refined_motion(pinhole, a, b, kBootstrapRansacPx, T_last_first, turn);
     return disagree(refined.T_last_first, T_last_first, as_it_is.parallax_rad) ? as_it_is : refined;
   }
 
@@ -278,8 +315,7 @@ struct Bootstrap::Impl {
 
   // Triangulates the inliers that lie in front of both cameras.
   Triangulation triangulate_inliers(const SE3& T_last_first, const cv::Mat& inliers) const {
-    const Corners& a = straight.front();
-    const Corners& b = straight.back();
+    const Corners &a = straight.front(), &b = straight.back();
     Triangulation t;
     for (size_t i = 0; i < a.size(); ++i) {
       if (!inliers.at<uchar>(int(i))) continue;
@@ -335,12 +371,14 @@ struct Bootstrap::Impl {
   }
 };
 
-Bootstrap::Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed)
+Bootstrap::Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed,
+                     TurnBetween turn)
     : impl_(new Impl) {
   impl_->rectification = rectification;
   impl_->pinhole = rectification.target();
   impl_->params = params;
   impl_->random = Random::derive(seed, 1);
+  impl_->turn_between = std::move(turn);
 }
 Bootstrap::~Bootstrap() = default;
 

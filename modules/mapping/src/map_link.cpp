@@ -18,7 +18,7 @@ MapLink::MapLink(const Rectification& rectification, const EdgeParams& edges, co
                [this](const FramePyramid& old, const ImageMotion& motion, const ImageCorrection& now) {
                  return rebuild(old, motion, now);
                },
-               log_, options.move_map, options.forget}),
+               log_, options.move_map, options.forget, options.camera}),
       // Called in the mapping thread. What mapping learns about a frame leaves with this event.
       thread_(&mapper_, options.realtime, [this](const TrackedFrame& frame, const MapUpdate& update) {
         log_->append(FrameMapped{frame.frame_index, update.times, update.adjustment});

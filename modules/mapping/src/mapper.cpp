@@ -44,7 +44,9 @@ Mapper::Mapper(const Rectification& rectification, const MapperParams& params, c
       window_(map_.get(), rectification, params.mapping.window, params.association),
       calibration_(rectification, params.camera),
       edge_mapper_(rectification, params.edge_map, options.own_threads, log_),
-      corrected_images_(std::make_unique<RebuiltImages>(options.rebuild)) {}
+      corrected_images_(std::make_unique<RebuiltImages>(options.rebuild)) {
+  if (options.camera) calibration_.begin_with(*options.camera);
+}
 Mapper::~Mapper() = default;
 
 // ---- the first window ----

@@ -45,7 +45,7 @@ SensorReadings readings_of(const ImageSource& source) {
     const std::optional<GyroSample> sample = gyro();
     if (!sample) return std::nullopt;
     ImuReading imu;
-    imu.angular_velocity = sample->rate;
+    imu.angular_velocity = sample->rate, imu.acceleration = sample->acceleration;
     return SensorReading{sample->time, kGyroLabel, SE3(), imu};
   };
 }

@@ -13,6 +13,7 @@
 #include "edgevo/core/target_pinhole.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/mrpt_bridge/conversions.h"
+#include "edgevo/places/view_locator.h"
 #include "one_line.h"
 #include "stop_signal.h"
 

@@ -41,7 +41,7 @@ MapperParams mapper_params(const OdometryParams& p) {
 }
 
 MapLinkOptions map_options(const OdometryOptions& o) {
-  return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget};
+  return {o.seed, o.realtime, o.on_schedule, o.detectors, o.move_map, o.forget, o.camera};
 }
 
 }  // namespace
@@ -169,6 +169,7 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
     history.interrupt();
+    turn_by_gyro.interrupt();
     integrity.add_lost();
     keep_views_before();
     return;
@@ -225,14 +226,17 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
-  const FrameConfidence found =
-      confidence.add({record->evidence, history.newest(),
-                      frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
+  const FrameConfidence found = confidence.add(
+      {record->evidence, history.newest(),
+       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map),
+       turn_by_gyro.add(record->time, newest_pose.T_cam_map->rotation(),
+                        [&](Timestamp a, Timestamp b) { return front_end.gyro().turn(a, b); })});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
-  if (!is_map_in_doubt(*record)) front_end.confirm_turn();
+  doubted_by_images = record->state == TrackingState::kLost || found.p_right_by_images < kDoubtfulBelow;
+  if (!doubted_by_images) front_end.confirm_turn();
 }
 
 // ---- doubt ----
@@ -240,7 +244,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
 void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found =
-      integrity.add(now.frame.index, view, is_map_in_doubt(*now.record) || unit_sigma > kUnitKnown);
+      integrity.add(now.frame.index, view, doubted_by_images || unit_sigma > kUnitKnown);
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {

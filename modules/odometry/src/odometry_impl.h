@@ -113,7 +113,9 @@ struct Odometry::Impl {
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;
-  double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
+  TurnByGyro turn_by_gyro;
+  double unit_sigma = 0;           // FrameConfidence::unit_sigma of the newest frame
+  bool doubted_by_images = false;  // as is_map_in_doubt(), without the gyro: it may be wrong
   IntegrityMonitor integrity;
   ScaleComparisons scales;
   FrontEnd front_end;

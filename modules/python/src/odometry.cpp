@@ -6,11 +6,13 @@
 #include "callbacks.h"
 #include "classes.h"
 #include "edgevo/core/error.h"
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/run_loop/past_follower.h"
 #include "edgevo/scale/up_direction.h"
 #include "event.h"
 #include "frame.h"
+#include "gyro_input.h"
 #include "image_input.h"
 #include "in_use.h"
 #include "run.h"
@@ -23,6 +25,8 @@ class PyOdometry {
  public:
   explicit PyOdometry(const Arguments& a);
   FrameRecord process(const Arguments& a);
+  void add_gyro(const Arguments& a);
+  std::string gyro();
   PyRun finish();
 
  private:
@@ -143,6 +147,18 @@ FrameRecord PyOdometry::process(const Arguments& a) {
   return record;
 }
 
+void PyOdometry::add_gyro(const Arguments& a) {
+  const InUse::Call call(in_use_, "Odometry.add_gyro()");
+  require_open("Odometry.add_gyro()");
+  odometry_->add_gyro(gyro_sample(a.at("time"), a.where("time"), a.at("rate"), a.where("rate")));
+}
+
+std::string PyOdometry::gyro() {
+  const InUse::Call call(in_use_, "Odometry.gyro");
+  require_open("Odometry.gyro");
+  return odometry_->gyro().statement;
+}
+
 PyRun PyOdometry::finish() {
   const InUse::Call call(in_use_, "Odometry.finish()");
   require_open("Odometry.finish()");
@@ -186,6 +202,15 @@ void add_odometry(py::module_& module) {
       "uint16\n"
       "H x W (scaled), read during the call only; time: seconds as float, or nanoseconds as int. Or a Frame\n"
       "alone, which has both. After an error in an argument nothing has happened.");
+  define(
+      odometry, "Odometry.add_gyro(time, rate)", [](PyOdometry& o, const Arguments& a) { o.add_gyro(a); },
+      "Takes a sample of a gyro that is fixed to the camera, before the image that it belongs to.\n\n"
+      "time: as that of the images, in their clock to 0.2 s; rate: three numbers, rad/s, in the "
+      "right-handed\n"
+      "axes of the gyro, whatever these are. Give samples in the order of their times, those up to an image\n"
+      "and the tenth of a second after it before process(). How it sits is found from the motion.");
+  odometry.def_property_readonly("gyro", &PyOdometry::gyro,
+                                 "How the gyro sits and what is wrong with it, in words; empty without one.");
   define(
       odometry, "Odometry.finish()", [](PyOdometry& o, const Arguments&) { return o.finish(); },
       "Ends the run and returns it.");

@@ -141,8 +141,9 @@ RunContents SourceRun::track() {
   RunResult result = run_odometry(source_, request_.params.odometry, options_,
                                   [this](const ProcessedFrame& frame) { return after_frame(frame); });
   if (result.broken) std::rethrow_exception(result.broken);
+  const std::optional<UpEstimate> by_gravity = result.up_by_gravity();
   contents.run = std::move(result.run);
-  if (const auto up = decide_up(&contents.run)) contents.info.input.push_back(*up);
+  if (const auto up = decide_up(&contents.run, by_gravity)) contents.info.input.push_back(*up);
   scaling_.convert(&contents.run);
   contents.frames = recorder_.take_frames();
   contents.events_at_end = recorder_.take_events();

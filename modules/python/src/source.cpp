@@ -72,6 +72,7 @@ std::unique_ptr<PySource> open_source_of(const Arguments& a) {
   options.path = a.path("path");
   if (a.has("topic")) options.topic = a.text("topic");
   if (a.has("camera")) options.camera_file = a.path("camera");
+  if (a.has("gyro")) options.gyro = a.path("gyro");
   if (a.has("frames")) std::tie(options.first, options.last) = a.range("frames");
   options.fps = a.number("fps", 0);
   if (options.fps < 0 || options.fps > kMaxFps)
@@ -118,7 +119,8 @@ void add_source(py::module_& module) {
       module, "Source", py::dynamic_attr(),
       "Frames of one camera in the order of their times; can be iterated once.\n\n"
       "As a base class for a camera of your own: give it its Camera, and define __next__() to return\n"
-      "(image, time) or a Frame, and to raise StopIteration at the end.");
+      "(image, time) or a Frame, and to raise StopIteration at the end.\n"
+      "Its attribute `gyro`, if it has one, holds (time, rate) of a gyro next to the camera, rad/s.");
   define_init(source, "Source(camera=None)", of_user);
   source.def_property("camera", camera_of, set_camera, "The Camera of the images.");
   source.def_property_readonly("size", size_of, "Number of frames; None if it is not known beforehand.");
@@ -128,10 +130,12 @@ void add_source(py::module_& module) {
   source.def("__iter__", [](py::object self) { return self; });
   source.def("__next__", next_frame);
   define_function(
-      module, "open_source(path, topic=None, *, camera=None, frames=None, fps=None)", open_source_of,
+      module, "open_source(path, topic=None, *, camera=None, gyro=None, frames=None, fps=None)",
+      open_source_of,
       "Opens a recording (bag of ROS, rawlog), a folder of a data set or of images, a video or "
       "\"camera:0\".\n\n"
       "topic: that of the images in a bag, by default the only one; camera: path of a calibration file;\n"
+      "gyro: path of the samples of a gyro, or \"off\", by default that of the recording;\n"
       "frames: (first, end); fps: frames per second of images without times.");
   define_function(module, "simulate(scene, seed=None, *, frames=None)", simulate,
                   "Renders a scene, by its name (\"street\") or YAML file, with exact ground truth.\n\n"

@@ -4,6 +4,7 @@
 
 #include "edgevo/core/error.h"
 #include "frame.h"
+#include "gyro_input.h"
 #include "image_input.h"
 #include "source.h"
 
@@ -22,11 +23,13 @@ class UserSource : public ImageSource {
   UserSource(py::object source, std::function<void(const std::string&)> say)
       : source_(std::move(source)), say_(std::move(say)), camera_(user_camera(source_)), images_(camera_) {
     if (py::hasattr(source_, "__len__")) size_ = int(py::len(source_));
+    if (py::hasattr(source_, "gyro")) gyro_ = gyro_samples(source_.attr("gyro"), "Source.gyro");
   }
 
   const Camera& camera() const override { return camera_; }
   std::optional<int> size() const override { return size_; }
   std::string kind() const override { return "Python"; }
+  GyroReadings gyro_readings() const override { return gyro_; }
   std::optional<Frame> next() override;
 
  private:
@@ -36,6 +39,7 @@ class UserSource : public ImageSource {
   std::function<void(const std::string&)> say_;
   Camera camera_;
   ImageInput images_;
+  GyroReadings gyro_;  // from the first sample on, since each copy reads by itself
   std::optional<int> size_;
   int next_index_ = 0;
 };

@@ -4,12 +4,16 @@
 #include <ctime>
 #include <memory>
 
+#include "edgevo/core/formatted.h"
 #include "edgevo/core/trace.h"
 #include "edgevo/datasets/live_feed.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/places/view_locator.h"
 #include "edgevo/run_loop/gyro_feed.h"
 #include "edgevo/run_loop/latency_stats.h"
+#include "edgevo/scale/up_by_gravity.h"
+#include "first_frames.h"
+#include "first_look.h"
 #include "lenient_source.h"
 #include "load_control.h"
 
@@ -115,6 +119,15 @@ void feed_realtime(const RunLoop& loop, LiveFeed& feed, LatencyStats* latency) {
   }
 }
 
+// What the beginning shows of the camera, before the run begins.
+void begin_with_camera(FirstFrames* first, const OdometryParams& params, const Stop& stop,
+                       OdometryOptions* options) {
+  options->camera = first_look(first, params, *options, stop);
+  if (options->camera && options->log)
+    options->log(formatted("the first frames show a rolling shutter of %.1f ms: all are processed with it",
+                           1e3 * options->camera->correction.readout_s));
+}
+
 // What `work`, which takes frames from the source, throws; nothing once the caller has stopped the run.
 template <class Work>
 std::exception_ptr exception_of(const Stop& stop, Work&& work) {
@@ -128,6 +141,11 @@ std::exception_ptr exception_of(const Stop& stop, Work&& work) {
 
 }  // namespace
 
+std::optional<UpEstimate> RunResult::up_by_gravity() const {
+  if (!gyro.model) return std::nullopt;
+  return edgevo::up_by_gravity(run, accelerations, *gyro.model);
+}
+
 RunResult run_odometry(ImageSource& source, const OdometryParams& params, const RunLoopOptions& requested,
                        const OnFrame& on_frame) {
   OdometryOptions options = requested.odometry;
@@ -140,18 +158,22 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
   const Stop stop = requested.stop ? requested.stop : [] { return false; };
   name_traced_thread("tracking");
   if (!options.map_log) options.map_log = std::make_shared<MapLog>();
+  RunResult result;
+  FirstFrames first(source);
+  if (takes_first_look(source, params, options))
+    result.cpu_s += cpu_seconds([&] { begin_with_camera(&first, params, stop, &options); });
   if (!options.locate && !options.forget) options.locate = locate_in(requested.past.kept);
   PastFollower past(source.camera(), source.T_vehicle_cam(), options, requested.past);
   Odometry odometry(source.camera(), params, options);
-  LenientSource lenient(source);
+  LenientSource lenient(first);
   ImageSource& frames =
-      requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : source;
-  RunResult result;
+      requested.on_bad_frame == OnBadFrame::kSkip ? static_cast<ImageSource&>(lenient) : first;
   GyroFeed gyro(source.gyro_readings());
   const RunLoop loop{
       lenient, odometry, past, gyro, options, stop, on_frame, [&] { return odometry.frame_view(); }, &result};
   const auto finish = [&] {
     result.gyro = odometry.gyro();
+    result.accelerations = gyro.take_accelerations();
     if (const std::string mismatch = gyro.mismatch(); !mismatch.empty()) result.gyro.statement = mismatch;
     result.cpu_s += cpu_seconds([&] {
       odometry.close();

@@ -239,7 +239,7 @@ bool RunSession::end_forgotten() {
 
 // The mount of a camera that has none, if it was seen; a result and its doubt are said.
 void RunSession::look_for_up() {
-  const std::optional<InputDecision> up = decide_up(&result_.run);
+  const std::optional<InputDecision> up = decide_up(&result_.run, result_.up_by_gravity());
   if (!up) return;
   info_.input.push_back(*up);
   if (result_.run.T_vehicle_cam || !up->doubt.empty()) warn_of({*up});

@@ -130,10 +130,14 @@ std::optional<InputDecision> doubt_mount(const Run& run) {
 
 }  // namespace
 
-std::optional<InputDecision> decide_up(Run* run) {
+std::optional<InputDecision> decide_up(Run* run, const std::optional<UpEstimate>& by_gravity) {
   if (run->T_vehicle_cam) return doubt_mount(*run);
   InputDecision decision{"mount", "looks straight ahead", "assumed", ""};
   const auto up = estimate_up(*run);
+  if (by_gravity && by_gravity->is_certain && !(up && up->is_certain)) {
+    run->T_vehicle_cam = level_mount(by_gravity->up);
+    return InputDecision{"mount", describe(camera_mount(*run->T_vehicle_cam)), seen(*by_gravity), ""};
+  }
   if (!up) return decision;
   if (up->tilt_deg < std::max(up->is_certain ? kLevelTilt : kLevelled, kMinSigmas * up->sigma_deg)) {
     decision.reason =

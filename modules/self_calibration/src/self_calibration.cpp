@@ -78,6 +78,11 @@ SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
 SelfCalibration& SelfCalibration::operator=(SelfCalibration&&) noexcept = default;
 SelfCalibration::~SelfCalibration() = default;
 
+void SelfCalibration::begin_with(const CameraRefinement& found) {
+  state_.shutter = found.shutter;
+  state_.correction.readout_s = found.correction.readout_s;
+}
+
 void SelfCalibration::note_focal_length(const FocalError& by_corners) {
   if (!refines_focal_length()) return;
   CameraRefinement::FocalLength& found = state_.focal_length;

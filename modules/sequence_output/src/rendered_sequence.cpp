@@ -50,8 +50,12 @@ SimulatedGyro gyro_of(const SceneRenderer& renderer, const RenderRequest& option
   constexpr double kBeyondS = 0.5;  // both ends
   const std::vector<Timestamp>& times = renderer.scene().times;
   const size_t end = range.end < 0 ? times.size() : size_t(range.end);
-  return simulate_gyro(renderer.scene().T_scene_cam_at, times[size_t(range.begin)].seconds() - kBeyondS,
-                       times[end - 1].seconds() + kBeyondS, options.gyro, renderer.scene().seed);
+  const double first = times[size_t(range.begin)].seconds();
+  SimulatedGyro gyro =
+      simulate_gyro(renderer.scene().T_scene_cam_at, first - kBeyondS, times[end - 1].seconds() + kBeyondS,
+                    options.gyro, renderer.scene().seed);
+  gyro.up = renderer.scene().T_scene_cam_at(first).rotation().conjugate() * Eigen::Vector3d::UnitZ();
+  return gyro;
 }
 
 // imu.txt next to the images, and the truth about it.

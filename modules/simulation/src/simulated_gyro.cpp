@@ -13,12 +13,13 @@
 namespace edgevo {
 namespace {
 
-constexpr uint64_t kGyroPurpose = 0x6779726f;
+constexpr uint64_t kGyroPurpose = 0x6779726f, kAccelerationPurpose = 0x61636365;
 constexpr double kGravity = 9.81;  // m/s^2
 // Half of the time over which rates and accelerations of the path are taken, seconds: a fraction of a sample.
 constexpr double kRateStep = 1e-3, kAccelerationStep = 1e-2;
-// White noise of the accelerometer, m/s^2 over the root of a hertz: of the same chips.
-constexpr double kAccelerationNoise = 2e-3;
+// White noise of the accelerometer, m/s^2 over the root of a hertz, and the standard deviation of its bias,
+// m/s^2: of the same chips, once their makers have calibrated them.
+constexpr double kAccelerationNoise = 2e-3, kAccelerationBias = 0.1;
 
 // What such sensors have by their datasheets and by those who measured them; standard deviations where errors
 // differ from one to the next.
@@ -103,6 +104,8 @@ SimulatedGyro simulate_gyro(const std::function<SE3(double)>& T_scene_cam_at, do
   truth.offset_s = k.offset_s;
   truth.errors.scale = k.scale * normal3(&random);
   Eigen::Vector3d bias = k.bias * normal3(&random);
+  Random of_accelerometer = Random::derive(seed, kAccelerationPurpose);
+  gyro.acceleration_bias = kAccelerationBias * normal3(&of_accelerometer);
   const double step = 1 / k.rate_hz, noise = k.noise * std::sqrt(k.rate_hz);
   const Eigen::Vector3d shown_per_true = (Eigen::Vector3d::Ones() + truth.errors.scale).cwiseInverse();
   for (double t = begin_s; t <= end_s; t += step) {
@@ -112,11 +115,11 @@ SimulatedGyro simulate_gyro(const std::function<SE3(double)>& T_scene_cam_at, do
     if (random.uniform() < k.dropped || t + k.offset_s < 0) continue;
     const Eigen::Quaterniond R_gyro_cam = truth.R_cam_gyro.conjugate();
     const Eigen::Vector3d rate = R_gyro_cam * rate_at(T_scene_cam_at, t);
+    const Eigen::Vector3d felt =
+        R_gyro_cam * (T_scene_cam_at(t).rotation().conjugate() * felt_at(T_scene_cam_at, t));
     gyro.samples.push_back(
-        {Timestamp::from_seconds(t + k.offset_s), shown_per_true.cwiseProduct(rate) + bias + rate_noise});
-    gyro.accelerations.push_back(R_gyro_cam *
-                                     (T_scene_cam_at(t).rotation().conjugate() * felt_at(T_scene_cam_at, t)) +
-                                 kAccelerationNoise * std::sqrt(k.rate_hz) * felt_noise);
+        {Timestamp::from_seconds(t + k.offset_s), shown_per_true.cwiseProduct(rate) + bias + rate_noise,
+         felt + gyro.acceleration_bias + kAccelerationNoise * std::sqrt(k.rate_hz) * felt_noise});
   }
   gyro.last_bias = bias;
   return gyro;
@@ -128,7 +131,7 @@ std::string imu_text(const SimulatedGyro& gyro) {
     constexpr int64_t kNanoseconds = 1'000'000'000 / Timestamp::kTicksPerSecond;
     text += std::to_string(gyro.samples[i].time.ticks * kNanoseconds);
     for (const double value : gyro.samples[i].rate) text += " " + fixed(value, 7);
-    for (const double value : gyro.accelerations[i]) text += " " + fixed(value, 5);
+    for (const double value : gyro.samples[i].acceleration) text += " " + fixed(value, 5);
     text += "\n";
   }
   return text;
@@ -144,6 +147,8 @@ std::string gyro_truth_text(const SimulatedGyro& gyro, const std::string& kind) 
          "\n# in the middle of the time and at the last sample, rad/s\nbias: " +
          vector_text(m.errors.bias, 7) + "\nlast_bias: " + vector_text(gyro.last_bias, 7) +
          "\n# true rate over shown rate, less 1\nscale: " + vector_text(m.errors.scale, 6) +
+         "\n# in the axes of the camera at the first image\nup: " + vector_text(gyro.up, 6) +
+         "\n# m/s^2\nacceleration_bias: " + vector_text(gyro.acceleration_bias, 5) +
          "\nrate_hz: " + fixed(gyro.rate_hz, 1) +
          "\n# rad/s over the root of a hertz\nnoise: " + fixed(gyro.noise, 8) +
          "\n# share of the samples\ndropped: " + fixed(gyro.dropped, 4) + "\n";

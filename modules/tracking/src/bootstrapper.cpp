@@ -15,7 +15,7 @@ Bootstrapper::Bootstrapper(const Rectification& rectification, const TrackingPar
                            const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames,
                            TurnBetween turn)
     : pinhole_(rectification.target()),
-      bootstrap_(rectification, bootstrap, seed),
+      bootstrap_(rectification, bootstrap, seed, turn),
       params_(params),
       map_(map),
       frames_(frames),

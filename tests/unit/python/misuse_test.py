@@ -125,6 +125,9 @@ MISUSES: dict[str, Misuse] = {
     "colour, red first, as a view": (lambda f: process(np.dstack([gray()] * 3)[..., ::-1]), E, "ascontiguousarray"),
     "8 bits, then 16": (lambda f: both_kinds(), E, "the images before it were uint8 H x W"),
     # Times
+    "a text as rate": (lambda f: odometry().add_gyro(0.0, "fast"), T, "rate is str 'fast'; numbers, 3 or N x 3"),
+    "two samples at once": (lambda f: odometry().add_gyro(0.0, np.zeros((2, 3))), E, "three numbers in rad/s"),
+    "a rate that is NaN": (lambda f: odometry().add_gyro(0.0, (0, 0, np.nan)), E, "holds NaN or infinity"),
     "no time": (lambda f: odometry().process(gray()), T, "time is missing; wanted process(image, time)"),
     "a text as time": (lambda f: process(gray(), "0.1"), T, "time is str '0.1'; seconds (float) or nanoseconds (int)"),
     "an array as time": (lambda f: process(gray(), np.array([0.1])), T, "time is an array of float64, 1"),

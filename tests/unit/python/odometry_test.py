@@ -42,6 +42,19 @@ class Odometry(unittest.TestCase):
             image[:] = 77
         self.assertEqual(self.poses_of(odometry.finish()), self.poses_of(scene.run()))
 
+    def test_a_gyro_is_taken_by_calls_and_of_a_source(self) -> None:
+        samples, params = scene.gyro(), {"camera.refine": "none"}
+        odometry, waiting = edgevo.Odometry(scene.camera(), params), list(samples)
+        self.assertEqual(odometry.gyro, "")
+        for frame in scene.frames():
+            while waiting and waiting[0][0] < frame.time + 0.3:
+                odometry.add_gyro(*waiting.pop(0))
+            odometry.process(frame)
+        self.assertIn("not observed", odometry.gyro)  # in a second
+        source = scene.Replay()
+        source.gyro = samples  # type: ignore[attr-defined]
+        self.assertEqual(self.poses_of(odometry.finish()), self.poses_of(edgevo.run(source, params)))
+
     def test_the_seed_counts(self) -> None:
         other = edgevo.run(scene.Replay(), seed=2)
         self.assertNotEqual(self.poses_of(other), self.poses_of(scene.run()))

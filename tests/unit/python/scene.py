@@ -49,6 +49,20 @@ def run() -> edgevo.Run:
     return edgevo.run(source())
 
 
+@functools.lru_cache(maxsize=None)
+def gyro() -> list[tuple[float, np.ndarray]]:
+    """What a gyro in the axes of the camera measures on the way of run(): times and rates."""
+    poses, times = run().poses, run().times
+    samples = []
+    for k in range(1, len(times)):
+        turn = poses[k - 1, :3, :3].T @ poses[k, :3, :3]
+        rate = np.array([turn[2, 1], turn[0, 2], turn[1, 0]]) / (times[k] - times[k - 1])
+        if np.isfinite(rate).all():
+            steps = np.linspace(times[k - 1], times[k], 4)[1:]
+            samples += [(float(t), rate) for t in steps]
+    return samples
+
+
 class Replay(edgevo.Source):
     """The frames again, as arrays and times."""
 

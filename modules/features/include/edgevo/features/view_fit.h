@@ -9,6 +9,7 @@
 #include "edgevo/core/camera.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/features/corner_tracking.h"
+#include "edgevo/features/two_view_motion.h"
 
 namespace edgevo {
 
@@ -22,10 +23,11 @@ struct ViewFit {
 };
 
 /// Adjusts poses and depths, starting from a motion between the first view and the last. `views` holds the
-/// same corners in each of three views or more, in order. Returns nothing if they do not constrain it. Cost:
+/// same corners in each of three views or more, in order; `turn`, if there is one, is the rotation from the
+/// first to the last as another sensor has measured it. Returns nothing if they do not constrain it. Cost:
 /// some 5 ms for 300 corners in eight views.
 std::optional<ViewFit> fit_views(const Pinhole& pinhole, const std::vector<Corners>& views,
-                                 const SE3& T_last_first);
+                                 const SE3& T_last_first, const TurnOfViews* turn = nullptr);
 
 /// Inverse depths in both cameras of a corner seen at rays a (first) and b (last); false behind a camera or
 /// without parallax.

@@ -2,6 +2,7 @@
 #pragma once
 // Two-view bootstrap: corners are followed from the first view until their parallax allows an essential
 // matrix; the frames in between are placed by PnP. Reports at every frame why it is not ready yet.
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "edgevo/core/timestamp.h"
 #include "edgevo/edges/frame_pyramid.h"
 #include "edgevo/edges/image_motion.h"
+#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/mapping/mapping_params.h"
 
 namespace edgevo {
@@ -75,11 +77,16 @@ struct BootstrapStatus {
   Reasons reasons;
 };
 
-/// Searches two views with enough parallax.
+/// Rotation of the camera between two times by another sensor; nothing if none knows it.
+using TurnBetween = std::function<std::optional<CameraTurn>(Timestamp begin, Timestamp end)>;
+
+/// Searches two views with enough parallax. Where a gyro knows the rotation between them, only the direction
+/// of the translation is sought, and motions that it contradicts are none.
 class Bootstrap {
  public:
-  /// `seed`: that of RANSAC.
-  Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed);
+  /// `seed`: that of RANSAC. `turn` may be empty.
+  Bootstrap(const Rectification& rectification, const BootstrapParams& params, uint64_t seed,
+            TurnBetween turn = {});
   ~Bootstrap();
 
   /// Adds the next frame. Corners are followed on histogram-equalised images, so that a changing exposure

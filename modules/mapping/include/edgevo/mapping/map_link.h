@@ -28,6 +28,8 @@ struct MapLinkOptions {
   MoveMap move_map;
   /// MapperOptions::forget.
   bool forget = false;
+  /// MapperOptions::camera.
+  std::optional<CameraRefinement> camera = std::nullopt;
 };
 
 /// Connects tracking to mapping; for the tracking thread.

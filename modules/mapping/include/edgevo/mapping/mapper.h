@@ -129,6 +129,8 @@ struct MapperOptions {
   MoveMap move_map;
   /// What the events report leaves the memory.
   bool forget = false;
+  /// SelfCalibration::begin_with(); nothing: with the parameters.
+  std::optional<CameraRefinement> camera = std::nullopt;
 };
 
 /// Map, window, self-calibration and edge lines of a run.

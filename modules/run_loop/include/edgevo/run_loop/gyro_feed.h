@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "edgevo/core/gyro_sample.h"
 #include "edgevo/gyro/gyro_model.h"
@@ -22,14 +23,23 @@ class GyroFeed {
     constexpr double kAfterS = kMostGyroOffsetS + 0.1;  // and a sample of a slow one
     if (!first_frame_) first_frame_ = time;
     last_frame_ = time;
-    for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) odometry->add_gyro(*next_);
+    for (; next_ && seconds_between(time, next_->time) < kAfterS; advance()) {
+      odometry->add_gyro(*next_);
+      if (accelerations_.size() < kMostAccelerations && !next_->acceleration.isZero())
+        accelerations_.push_back(*next_);
+    }
   }
+
+  /// The first samples that have an acceleration, of some minutes: they show where up is
+  /// (scale/up_by_gravity.h).
+  std::vector<GyroSample> take_accelerations() { return std::move(accelerations_); }
 
   /// What is to be said if its samples are not of the time of the frames; else empty. A foreign clock, or
   /// that of another recording.
   std::string mismatch() const;
 
  private:
+  static constexpr size_t kMostAccelerations = 100'000;  // 6 MB
   void advance() {
     if (next_) newest_ = next_->time;
     next_ = readings_ ? readings_() : std::nullopt;
@@ -40,6 +50,7 @@ class GyroFeed {
   std::optional<GyroSample> next_;
   std::optional<Timestamp> first_, newest_;  // of all samples, and of those that were passed on
   std::optional<Timestamp> first_frame_, last_frame_;
+  std::vector<GyroSample> accelerations_;
 };
 
 }  // namespace edgevo

@@ -4,13 +4,17 @@
 // the loop that `edgevo run` and `edgevo bench` share.
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/image_source.h"
 #include "edgevo/core/records.h"
 #include "edgevo/datasets/pace.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/run_loop/past_follower.h"
+#include "edgevo/scale/up_direction.h"
 #include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
@@ -33,6 +37,10 @@ struct RunResult {
   double cpu_s = 0;
   /// How the gyro sits, where there is one.
   GyroState gyro;
+  /// GyroFeed::take_accelerations().
+  std::vector<GyroSample> accelerations;
+  /// Up by these (scale/up_by_gravity.h); nothing without an accelerometer whose axes are known.
+  std::optional<UpEstimate> up_by_gravity() const;
   /// Number of frames skipped because their images or times were unusable.
   int skipped = 0;
   /// What became of the keyframes that were looked up among the places of the run.

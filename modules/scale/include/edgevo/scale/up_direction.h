@@ -39,10 +39,12 @@ std::optional<UpEstimate> estimate_up(const Run& run);
 /// The mount that an estimate stands for: roll and pitch; the yaw is 0, that of the first camera.
 SE3 level_mount(const Eigen::Vector3d& up_in_camera);
 
-/// Gives a run without a mount the one that was seen, if it is certain and the camera is tilted by more than
-/// 7 degrees; else the camera is taken to look straight ahead. Returns the decision, with a doubt if the
-/// camera seems tilted all the same. A run with a mount keeps it: a doubt if what was seen differs from it by
-/// more than 7 degrees for certain, else nullopt. Call before the run is scaled.
-std::optional<InputDecision> decide_up(Run* run);
+/// Gives a run without a mount that of `by_gravity` (up_by_gravity.h), if it is certain and what was seen is
+/// not: a vehicle is level in its own axes, on a hill, too. Else it gets the one that was
+/// seen, if it is certain and the camera is tilted by more than 7 degrees; else the camera is taken to look
+/// straight ahead. Returns the decision, with a doubt if the camera seems tilted all the same. A run with a
+/// mount keeps it: a doubt if what was seen differs from it by more than 7 degrees for certain, else nullopt.
+/// Call before the run is scaled.
+std::optional<InputDecision> decide_up(Run* run, const std::optional<UpEstimate>& by_gravity = std::nullopt);
 
 }  // namespace edgevo

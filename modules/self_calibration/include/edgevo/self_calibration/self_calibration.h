@@ -44,6 +44,9 @@ class SelfCalibration {
   /// Waits for an estimate that is running.
   ~SelfCalibration();
 
+  /// Begins with the read-out time that an earlier look at the same frames has found; it is refined once
+  /// there are more keyframes than that had.
+  void begin_with(const CameraRefinement& found);
   /// True if the matches of marginalised keyframes are needed for later estimates.
   bool needs_matches() const { return !finished_ && params_.refine != "none"; }
   /// Takes what corners show of the focal length up to now.

@@ -17,12 +17,14 @@ namespace edgevo {
 struct SimulatedGyro {
   /// Samples in the order of their times, in the clock of the gyro.
   std::vector<GyroSample> samples;
-  /// Acceleration with gravity at each, m/s^2, in its axes.
-  std::vector<Eigen::Vector3d> accelerations;
   /// Rotation, offset, bias at the middle of the time, and scales; its covariance says nothing.
   GyroModel truth;
   /// Bias at the last sample, rad/s.
   Eigen::Vector3d last_bias = Eigen::Vector3d::Zero();
+  /// Acceleration that it shows too much, m/s^2.
+  Eigen::Vector3d acceleration_bias = Eigen::Vector3d::Zero();
+  /// Up in the axes of the camera at the first image.
+  Eigen::Vector3d up = -Eigen::Vector3d::UnitY();
   /// Samples a second; white noise, rad/s over the root of a hertz; samples that are missing, 0 to 1.
   double rate_hz = 0, noise = 0, dropped = 0;
 };

@@ -2,7 +2,6 @@
 #pragma once
 // The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -10,7 +9,6 @@
 
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
-#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/map/frame_log.h"
 #include "edgevo/map/located_pose.h"
 #include "edgevo/mapping/bootstrap.h"
@@ -46,9 +44,6 @@ struct SegmentBeginning {
   /// What links the map to that of the last sure view before it; nothing if nothing does.
   std::optional<ViewLink> link;
 };
-
-/// Rotation of the camera between two times by another sensor; nothing if none knows it.
-using TurnBetween = std::function<std::optional<CameraTurn>(Timestamp begin, Timestamp end)>;
 
 /// Runs bootstraps and begins segments; for the tracking thread.
 class Bootstrapper {

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "first_look.h"
+
+#include <exception>
+#include <memory>
+#include <variant>
+
+#include "edgevo/core/trace.h"
+#include "edgevo/map/map_log.h"
+#include "edgevo/run_loop/gyro_feed.h"
+#include "lenient_source.h"
+
+namespace edgevo {
+namespace {
+
+// Three seconds of most cameras: rows that bend show within.
+constexpr int kMostLookedAt = 90;
+
+bool is_rolling(const CameraRefinement& camera) {
+  return camera.shutter.state == CameraRefinement::State::kApplied;
+}
+
+// A read-out time has converged by the first estimate of k1. Where the estimate before shows none, the rows
+// are straight, or bend too little to matter.
+bool is_decided(const CameraRefinement& camera, int min_keyframes) {
+  return camera.shutter.keyframes >= (is_rolling(camera) ? min_keyframes : min_keyframes / 2);
+}
+
+class FrameFollower {
+ public:
+  FrameFollower(FirstFrames* source, const OdometryParams& params, const OdometryOptions& options)
+      : frames_(*source),
+        gyro_(source->gyro_readings()),
+        odometry_(source->camera(), params, options),
+        events_(options.map_log),
+        min_keyframes_(params.camera.min_keyframes) {}
+
+  // Returns whether a further frame is of use.
+  bool follow_next() {
+    const std::optional<Frame> frame = frames_.next();
+    if (!frame) return false;
+    gyro_.feed_until(frame->time, &odometry_);
+    if (frame->image.empty())
+      odometry_.skip(*frame, frames_.take_reason(frame->index));
+    else
+      odometry_.process(*frame);
+    for (const std::shared_ptr<const MapEvent>& event : events_.read())
+      if (const auto* found = std::get_if<CameraEstimated>(event.get())) camera_ = found->camera;
+    return !is_decided(camera_, min_keyframes_);
+  }
+  const CameraRefinement& camera() const { return camera_; }
+
+ private:
+  LenientSource frames_;
+  GyroFeed gyro_;
+  Odometry odometry_;
+  MapCursor events_;
+  int min_keyframes_;
+  CameraRefinement camera_;
+};
+
+}  // namespace
+
+bool takes_first_look(const ImageSource& source, const OdometryParams& params,
+                      const OdometryOptions& options) {
+  const bool is_to_be_found = params.camera.refines_readout() && params.camera.readout_s == 0;
+  return is_to_be_found && !options.realtime && !source.is_live() && bool(source.gyro_readings());
+}
+
+std::optional<CameraRefinement> first_look(FirstFrames* source, OdometryParams params,
+                                           OdometryOptions options, const std::function<bool()>& stop) {
+  const TraceScope traced("first look");
+  options.map_log = std::make_shared<MapLog>();
+  options.log = {};
+  options.move_map = {};
+  params.edge_map.mode = "off";
+  source->keep();
+  std::optional<CameraRefinement> found;
+  try {
+    FrameFollower look(source, params, options);
+    for (int i = 0; i < kMostLookedAt && !stop() && look.follow_next(); ++i) {
+    }
+    if (is_rolling(look.camera())) found = look.camera();
+  } catch (const std::exception&) {
+    // The run itself comes to the same frame, and says what is wrong with it.
+  }
+  source->read_again();
+  return found;
+}
+
+}  // namespace edgevo
