@@ -228,7 +228,8 @@ LargestPlane find_largest(const std::vector<PlaneSample>& samples, const std::ve
   std::vector<PlaneSample> near;
   for (const PlaneSample& s : samples)
     if (Candidate(s).off(*larger) < kPlaneSigmas) near.push_back(s);
-  return {refined(EdgePlane(near), samples), -1};
+  const EdgePlane plane = refined(EdgePlane(near), samples);
+  return plane.is_valid() ? LargestPlane{plane, -1} : best;
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ SegmentInserter::SegmentInserter(const Pinhole& pinhole, const InsertionLimits& 
 void SegmentInserter::note(const KeyframeRecord& keyframe, const SE3& T_map_cam) {
   octomap::OcTreeKey key;
   if (tree_->coordToKeyChecked(to_octomap(T_map_cam.translation()), key)) path_.add(T_map_cam.translation());
+  for (const EdgeLine& line : keyframe.lines) are_fused_ |= line.keyframes > 1;
   for (const EdgePoint& p : keyframe.points) {
     if (!limits_.points.keeps(p)) continue;
     const Eigen::Vector3d p_map = T_map_cam * point_in_camera(pinhole_, p);
@@ -63,7 +64,7 @@ void SegmentInserter::insert(const KeyframeRecord& keyframe, const SE3& T_map_ca
     if (may_carve(p, p_cam, T_map_cam)) carve(p_cam, T_map_cam, relative_sigma(p));
   }
   for (const EdgeLine& line : keyframe.lines)
-    if (is_confirmed(line)) draw(line, T_map_cam);
+    if (!are_fused_ || is_confirmed(line)) draw(line, T_map_cam);
   update_tree();
   ++batch_;
   ++stats_->batches;

@@ -57,6 +57,7 @@ class SegmentInserter {
   PointCells points_, path_;
   /// Index of the keyframe within the segment.
   int batch_ = 0;
+  bool are_fused_ = false;  // whether lines say how many keyframes have seen them
   /// Voxels with a point, and the last batch in which it counts as observed. Each is updated once a batch, so
   /// the order does not matter.
   std::unordered_map<octomap::OcTreeKey, int, octomap::OcTreeKey::KeyHash> seen_until_;

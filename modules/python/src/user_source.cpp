@@ -23,7 +23,8 @@ class UserSource : public ImageSource {
   UserSource(py::object source, std::function<void(const std::string&)> say)
       : source_(std::move(source)), say_(std::move(say)), camera_(user_camera(source_)), images_(camera_) {
     if (py::hasattr(source_, "__len__")) size_ = int(py::len(source_));
-    if (py::hasattr(source_, "gyro")) gyro_ = gyro_samples(source_.attr("gyro"), "Source.gyro");
+    const py::object gyro = py::getattr(source_, "gyro", py::none());
+    if (!gyro.is_none()) gyro_ = gyro_samples(gyro, "Source.gyro");
   }
 
   const Camera& camera() const override { return camera_; }

@@ -23,6 +23,8 @@ class FirstFrames : public ImageSource {
 
   /// Keeps what next() gives from now on.
   void keep() { keeps_ = true; }
+  /// Size of the images that are kept.
+  size_t kept_bytes() const { return kept_bytes_; }
   /// Goes back to the first that was kept.
   void read_again() { keeps_ = false; }
 
@@ -36,6 +38,7 @@ class FirstFrames : public ImageSource {
 
   ImageSource& inner_;
   bool keeps_ = false;
+  size_t kept_bytes_ = 0;
   std::deque<Answer> kept_;
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 // Three seconds of most cameras: rows that bend show within.
 constexpr int kMostLookedAt = 90;
+// That are kept for it: ninety images of four megapixels.
+constexpr size_t kMostBytes = 400'000'000;
 
 bool is_rolling(const CameraRefinement& camera) {
   return camera.shutter.state == CameraRefinement::State::kApplied;
@@ -39,11 +41,12 @@ class FrameFollower {
   bool follow_next() {
     const std::optional<Frame> frame = frames_.next();
     if (!frame) return false;
-    gyro_.feed_until(frame->time, &odometry_);
-    if (frame->image.empty())
+    if (frame->image.empty()) {
       odometry_.skip(*frame, frames_.take_reason(frame->index));
-    else
+    } else {
+      gyro_.feed_until(frame->time, &odometry_);
       odometry_.process(*frame);
+    }
     for (const std::shared_ptr<const MapEvent>& event : events_.read())
       if (const auto* found = std::get_if<CameraEstimated>(event.get())) camera_ = found->camera;
     return !is_decided(camera_, min_keyframes_);
@@ -78,7 +81,8 @@ std::optional<CameraRefinement> first_look(FirstFrames* source, OdometryParams p
   std::optional<CameraRefinement> found;
   try {
     FrameFollower look(source, params, options);
-    for (int i = 0; i < kMostLookedAt && !stop() && look.follow_next(); ++i) {
+    for (int i = 0; i < kMostLookedAt && source->kept_bytes() < kMostBytes && !stop() && look.follow_next();
+         ++i) {
     }
     if (is_rolling(look.camera())) found = look.camera();
   } catch (const std::exception&) {

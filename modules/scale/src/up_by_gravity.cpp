@@ -76,8 +76,10 @@ std::vector<Felt> felt_of(const std::vector<GyroSample>& samples, const GyroMode
   std::vector<Felt> felt;
   for (const GyroSample& s : samples) {
     const double t = seconds_between(samples.front().time, s.time);
-    if (!s.acceleration.isZero()) felt.push_back({t - gyro.offset_at(t), s.acceleration});
+    if (s.acceleration.allFinite() && !s.acceleration.isZero())
+      felt.push_back({t - gyro.offset_at(t), s.acceleration});
   }
+  std::sort(felt.begin(), felt.end(), [](const Felt& a, const Felt& b) { return a.t < b.t; });
   return felt;
 }
 
@@ -101,6 +103,21 @@ std::optional<Part> part_of(const PosesByTime& path, const std::vector<Felt>& fe
   part.felt /= count;
   part.J << Eigen::Matrix3d::Identity(), turned / count, (*v1 - *v0) / kPartS;
   return part;
+}
+
+// All of them; seconds in which nothing was felt are not gone through.
+std::vector<Part> parts_of(const PosesByTime& path, const std::vector<Felt>& felt,
+                           const Eigen::Matrix3d& R_cam_gyro) {
+  std::vector<Part> parts;
+  double begin = path.begin() + kSpeedS;
+  for (const Felt& f : felt) {
+    if (f.t < begin) continue;
+    if (f.t > begin + kPartS) begin += std::floor((f.t - begin) / kPartS) * kPartS;
+    if (begin + kPartS + kSpeedS >= path.end()) break;
+    if (const auto part = part_of(path, felt, R_cam_gyro, begin)) parts.push_back(*part);
+    begin += kPartS;
+  }
+  return parts;
 }
 
 struct Solution {
@@ -142,10 +159,7 @@ std::optional<UpEstimate> up_by_gravity(const Run& run, const std::vector<GyroSa
   const PosesByTime path(run, samples.front().time);
   if (path.empty()) return std::nullopt;
   const std::vector<Felt> felt = felt_of(samples, gyro);
-  std::vector<Part> parts;
-  for (double begin = path.begin() + kSpeedS; begin + kPartS + kSpeedS < path.end(); begin += kPartS)
-    if (const auto part = part_of(path, felt, gyro.R_cam_gyro.toRotationMatrix(), begin))
-      parts.push_back(*part);
+  const std::vector<Part> parts = parts_of(path, felt, gyro.R_cam_gyro.toRotationMatrix());
   if (parts.size() < kLeastParts) return std::nullopt;
   const Solution s = solve(parts);
   const Eigen::Vector3d gravity = s.x.head<3>();
