@@ -36,6 +36,8 @@ std::optional<SegmentPlaced> Bootstrapper::place_located(int segment, const Boot
   const auto distance = [](const auto& a, const BootstrapView& b) {
     return std::abs(a.first - b.frame_index);
   };
+  // What a camera moves its view by from one frame to the next, radians.
+  constexpr double kMoves = 0.025;
   std::optional<SegmentPlaced> placed;
   int nearest = std::numeric_limits<int>::max();
   for (const auto& located : located_)
@@ -44,6 +46,10 @@ std::optional<SegmentPlaced> Bootstrapper::place_located(int segment, const Boot
         nearest = distance(located, view);
         placed = locate_segment(segment, located.second, view.T_cam_first, kFirstMedianDepth);
       }
+  if (!placed || nearest == 0) return placed;
+  placed->method = SegmentPlaced::Method::kDepthRatio;  // a guess
+  placed->position_sigma += nearest * kMoves * kFirstMedianDepth * placed->T_world_map.scale;
+  placed->rotation_sigma += nearest * kMoves;
   return placed;
 }
 
