@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/places/place_memory.h"
+#include "queries_in_a_row.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -10,9 +11,6 @@ namespace {
 
 // Keyframes closer than this are still in the window, or show what the window has seen.
 constexpr size_t kLeastGap = 30;
-constexpr size_t kCandidates = 3;
-// A place is believed if so many of the last queries agree.
-constexpr size_t kAgreeing = 3, kRecent = 6;
 // Of keyframes in the window, which are looked up all along: all of them.
 constexpr size_t kWindow = 12;
 

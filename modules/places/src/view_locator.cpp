@@ -7,14 +7,11 @@
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/motion_tolerance.h"
+#include "queries_in_a_row.h"
 
 namespace edgevo {
 namespace {
 
-// Places that are tried for each image, as for a keyframe.
-constexpr size_t kCandidates = 3;
-// Of so many images in a row so many must have been taken next to each other.
-constexpr size_t kRow = 5, kAgreeing = 3;
 // Adjacent: their view has moved by less, radians. From one image to the next a camera that can be
 // followed at all moves it by a tenth of that.
 constexpr double kAdjacent = 0.25;
@@ -68,7 +65,7 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
 
 std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
   recent_.push_back(by_image(remember_view(pyramid)));
-  if (recent_.size() > kRow) recent_.pop_front();
+  if (recent_.size() > kRecent) recent_.pop_front();
   const std::optional<LocatedPose>& newest = recent_.back();
   if (!newest) return std::nullopt;
   const auto agreeing = std::count_if(recent_.begin(), recent_.end(),

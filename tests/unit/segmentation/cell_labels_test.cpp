@@ -5,60 +5,27 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <opencv2/imgcodecs.hpp>
 
 #include "edgevo/core/random.h"
 #include "edgevo/edges/opencv_view.h"
-#include "support/masked_builder.h"
 #include "support/temp_folder.h"
-#include "support/test_images.h"
+#include "view_of_part.h"
 
 namespace edgevo {
 namespace {
 
+using test::Body;
+using test::gripper;
+using test::kPartHeight;
+using test::kPartWidth;
 using test::MaskedBuilder;
-
-constexpr int kPartWidth = 480, kPartHeight = 320;
-
-// Blocks of random gray, 9 pixels wide.
-double random_blocks(double x, double y, uint64_t seed) {
-  const auto cell = [](double v) { return uint64_t(int64_t(std::floor(v / 9)) + 100000); };
-  return 40 + 170 * Random::derive(seed, cell(x) * 1000003 + cell(y)).uniform();
-}
-
-bool on_part(double x, double y) { return x > 170 && x < 330 && y > 210; }
-
-Camera part_camera() {
-  return Camera(Pinhole{400, 400, kPartWidth / 2.0, kPartHeight / 2.0, kPartWidth, kPartHeight});
-}
-
-// A scene that has moved by (x, y), with noise, behind what `body` paints; nothing: the scene.
-using Body = std::function<std::optional<double>(double x, double y)>;
-GrayImage part_view(double x, double y, const Body& body, uint64_t seed) {
-  GrayImage image = test::make_image(kPartWidth, kPartHeight, [&](double u, double v) {
-    const std::optional<double> gray = body(u, v);
-    return gray ? *gray : random_blocks(u + x, v + y, 1);
-  });
-  Random noise(seed);
-  for (uint8_t& p : image.pixels) p = uint8_t(std::clamp(p + 1.5 * noise.normal(), 0.0, 255.0));
-  return image;
-}
-
-std::optional<double> no_body(double, double) { return std::nullopt; }
-std::optional<double> gripper(double x, double y) {
-  if (!on_part(x, y)) return std::nullopt;
-  return random_blocks(x, y, 2);
-}
-
-// The pyramid of the last of the images.
-std::shared_ptr<const FramePyramid> show(MaskedBuilder* builder, int images, double x_step, double y_step,
-                                         const Body& body, int first = 0) {
-  std::shared_ptr<const FramePyramid> pyramid;
-  for (int i = first; i < first + images; ++i)
-    pyramid = builder->build(part_view(i * x_step, i * y_step, body, uint64_t(i + 1)));
-  return pyramid;
-}
+using test::no_body;
+using test::on_part;
+using test::part_camera;
+using test::part_view;
+using test::random_blocks;
+using test::show;
 
 struct Covered {
   double of_part = 0, of_scene = 0;
@@ -294,85 +261,6 @@ TEST(CellLabels, ACameraThatStandsMakesNoMaskWhateverCrosses) {
     };
     ASSERT_FALSE(builder.build(part_view(0, 0, bus, uint64_t(i + 1)))->ego_mask) << i;
   }
-}
-
-TEST(StillCells, ShowThatTheCameraStandsFromTheThirdImageOnWhateverCrosses) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 60; ++i) {
-    const double left = 12 * i - 150;
-    const auto bus = [&](double x, double y) -> std::optional<double> {
-      if (x < left || x > left + 200 || y < 60 || y > 260) return std::nullopt;
-      return random_blocks(x - left, y, 3);
-    };
-    builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
-    EXPECT_EQ(builder.masks.still_cells().empty(), i < 2) << i;
-    EXPECT_EQ(builder.masks.still_cells().images, i) << i;
-  }
-}
-
-// A long one that hides four fifths of the view for thirty images.
-TEST(StillCells, StandWhileABusHidesMostOfTheView) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 110; ++i) {
-    const double right = 12 * i;
-    const auto bus = [&](double x, double y) -> std::optional<double> {
-      if (x > right || x < right - 800 || y < 50) return std::nullopt;
-      return random_blocks(x - right, y, 3);
-    };
-    builder.build(part_view(0, 0, bus, uint64_t(i + 1)));
-    EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
-  }
-}
-
-// One that hides all of it, for some sixty images; then the camera drives off.
-TEST(StillCells, StandWhileABusHidesTheWholeView) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 130; ++i) {
-    const double right = 12 * i;
-    const auto bus = [&](double x, double y) -> std::optional<double> {
-      if (x > right || x < right - 1000) return std::nullopt;
-      return random_blocks(x - right, y, 3);
-    };
-    ASSERT_FALSE(builder.build(part_view(0, 0, bus, uint64_t(i + 1)))->ego_mask) << i;
-    EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
-  }
-  show(&builder, 3, 3, 1.3, no_body, 1);
-  EXPECT_EQ(builder.masks.still_cells().images, 0);
-}
-
-// A camera that starts so slowly that blocks of the view leave their place one after the other.
-TEST(StillCells, MoveOnceTheViewHasSlidAway) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  show(&builder, 5, 0, 0, no_body);
-  int moved_at = 0;
-  for (int i = 1; i <= 100 && !moved_at; ++i) {
-    const Body ahead = [&](double x, double y) -> std::optional<double> {
-      const double size = 1 + 0.0005 * i, u = kPartWidth / 2, v = kPartHeight / 2;
-      return random_blocks(u + (x - u) / size, v + (y - v) / size, 1);
-    };
-    builder.build(part_view(0, 0, ahead, uint64_t(i + 9)));
-    if (builder.masks.still_cells().images == 0) moved_at = i;
-  }
-  EXPECT_GT(moved_at, 5);
-}
-
-TEST(StillCells, AreThoseThatABusDoesNotCover) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  show(&builder, 4, 3, 1.3, no_body);
-  const auto bus = [](double x, double y) -> std::optional<double> {
-    if (x > 250 || y < 60 || y > 260) return std::nullopt;
-    return random_blocks(x - 6, y, 3);
-  };
-  builder.build(part_view(12, 5.2, no_body, 5));
-  EXPECT_TRUE(builder.masks.still_cells().empty()) << "the view moves";
-  builder.build(part_view(12, 5.2, bus, 6));
-  EXPECT_TRUE(builder.masks.still_cells().empty()) << "as a slow camera would from one image to the next";
-  EXPECT_EQ(builder.masks.still_cells().images, 1);
-  builder.build(part_view(12, 5.2, bus, 7));
-  const StillCells still = builder.masks.still_cells();
-  EXPECT_FALSE(still.contain(0.25, 0.5)) << "the bus";
-  EXPECT_TRUE(still.contain(0.8, 0.5));
-  EXPECT_TRUE(still.contain(0.999, 0.999));
 }
 
 TEST(CellLabels, EdgesThatSlideAlongThemselvesAreNoPart) {
