@@ -372,6 +372,10 @@ std::shared_ptr<const Plane<uint8_t>> Odometry::ego_mask() const {
   const std::shared_ptr<const FramePyramid>& newest = impl_->front_end.newest_pyramid();
   return newest ? newest->ego_mask : nullptr;
 }
+SE3 T_odom_cam(const NewestPose& view, const SE3& T_cam_map) {
+  return Sim3{view.odom_scale, view.T_odom_map}.apply(T_cam_map.inverse());
+}
+
 const NewestPose& Odometry::newest_pose() const { return impl_->newest_pose; }
 FrameRecord Odometry::skip(const Frame& frame, const std::string& why) { return impl_->skip(frame, why); }
 void Odometry::shed(Shedding shedding) { impl_->map.shed(shedding); }

@@ -22,21 +22,20 @@ struct Found {
 };
 
 double turn_between(const SE3& a, const SE3& b) { return (a.inverse() * b).log().tail<3>().norm(); }
-double distance_in_depths(const LocatedPose& a, const LocatedPose& b) {
-  return (a.T_world_cam.translation() - b.T_world_cam.translation()).norm() / a.median_depth;
-}
-
-// Not one pose, by the tolerance of a right motion.
-bool are_apart(const LocatedPose& a, const LocatedPose& b) {
-  return distance_in_depths(a, b) > kMotionTolerance.share_of_depth ||
-         turn_between(a.T_world_cam, b.T_world_cam) > rad(kMotionTolerance.rotation_deg);
+double distance_in_depths(const SE3& a, const LocatedPose& b) {
+  return (a.translation() - b.T_world_cam.translation()).norm() / b.median_depth;
 }
 
 bool are_adjacent(const LocatedPose& a, const LocatedPose& b) {
-  return distance_in_depths(a, b) + turn_between(a.T_world_cam, b.T_world_cam) < kAdjacent;
+  return distance_in_depths(b.T_world_cam, a) + turn_between(a.T_world_cam, b.T_world_cam) < kAdjacent;
 }
 
 }  // namespace
+
+bool is_same_pose(const SE3& T_world_cam, const LocatedPose& located) {
+  return distance_in_depths(T_world_cam, located) <= kMotionTolerance.share_of_depth &&
+         turn_between(T_world_cam, located.T_world_cam) <= rad(kMotionTolerance.rotation_deg);
+}
 
 ViewLocator::ViewLocator(std::shared_ptr<const PlaceStore> map) : map_(std::move(map)) {
   for (size_t i = 0; i < map_->size(); ++i)
@@ -58,8 +57,9 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
   const Found& best = *std::min_element(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return a.edges_log_alarms < b.edges_log_alarms;
   });
-  const bool is_ambiguous =
-      std::any_of(found.begin(), found.end(), [&](const Found& f) { return are_apart(best.pose, f.pose); });
+  const bool is_ambiguous = std::any_of(found.begin(), found.end(), [&](const Found& f) {
+    return !is_same_pose(f.pose.T_world_cam, best.pose);
+  });
   return is_ambiguous ? std::nullopt : std::optional(best.pose);
 }
 
@@ -71,6 +71,12 @@ std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
   const auto agreeing = std::count_if(recent_.begin(), recent_.end(),
                                       [&](const auto& pose) { return pose && are_adjacent(*newest, *pose); });
   return size_t(agreeing) >= kAgreeing ? newest : std::nullopt;
+}
+
+std::optional<LocatedPose> ViewLocator::locate_newest(std::shared_ptr<const FramePyramid> pyramid) {
+  if (newest_ == pyramid) return std::nullopt;
+  newest_ = std::move(pyramid);
+  return locate(*newest_);
 }
 
 std::function<std::optional<LocatedPose>(const FramePyramid&)> locate_in(

@@ -132,11 +132,9 @@ class ClosedLoop {
 
   // The pose in the kept map.
   ServoPose in_kept_map(ServoPose pose) const {
+    if (pose.usable && !pose.usable_in_kept) pose.reason = "not found in the kept map yet";
+    pose.usable = pose.usable_in_kept;
     if (!pose.usable) return pose;
-    if (!pose.cMk) {
-      pose.usable = false, pose.reason = "not found in the kept map yet";
-      return pose;
-    }
     pose.cMw = to_visp(in_metres(to_se3(*pose.cMk)));
     pose.map_version = 0;
     return pose;

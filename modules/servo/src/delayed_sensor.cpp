@@ -33,6 +33,7 @@ double seconds_of(bool cpu, const Work& work) {
 DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
                              ServoFeed* feed, std::shared_ptr<const PlaceStore> kept)
     : events_(log_),
+      kept_(kept ? std::optional<KeptMapTracker>(kept) : std::nullopt),
       past_(
           camera, std::nullopt, options_of(servo, log_),
           {{}, {}, std::move(kept), true, [this](const StoredKeyframe& k) { keyframes_.push_back(k); }, {}}),
@@ -49,7 +50,7 @@ void DelayedSensor::push(Frame frame) {
 void DelayedSensor::advance(double until_s, std::vector<ServoRow>* rows) {
   if (waiting_ && std::max(free_at_s_, waiting_->time.seconds()) < until_s) work(rows);
   while (!ready_.empty() && ready_.front().time_s <= until_s) {
-    feed_->publish(ready_.front().pose, ready_.front().is_in_kept_map);
+    feed_->publish(ready_.front().pose, ready_.front().kept);
     ready_.pop_front();
   }
 }
@@ -57,12 +58,16 @@ void DelayedSensor::advance(double until_s, std::vector<ServoRow>* rows) {
 void DelayedSensor::work(std::vector<ServoRow>* rows) {
   const Frame frame = std::move(*waiting_);
   waiting_.reset();
-  const double took_s = seconds_of(cpu_latency_, [&] { odometry_.process(frame); });
+  KeptMapPose kept;
+  const double took_s = seconds_of(cpu_latency_, [&] {
+    odometry_.process(frame);
+    if (kept_) kept = kept_->follow(odometry_, found_.contains(odometry_.newest_pose().segment));
+  });
   past_.follow();
   for (const auto& event : events_.read()) found_.apply(*event);
   free_at_s_ = std::max(free_at_s_, frame.time.seconds()) + given_latency_s_.value_or(took_s);
   const NewestPose newest = odometry_.newest_pose();
-  ready_.push_back({free_at_s_, newest, found_.contains(newest.segment)});
+  ready_.push_back({free_at_s_, newest, kept});
   (*rows)[size_t(frame.index)].latency_s = free_at_s_ - frame.time.seconds();
 }
 

@@ -13,6 +13,7 @@
 #include "edgevo/servo/kept_goal.h"
 #include "edgevo/servo/loop_params.h"
 #include "edgevo/servo/loop_result.h"
+#include "edgevo/visp_bridge/kept_map_pose.h"
 #include "edgevo/visp_bridge/servo_feed.h"
 
 namespace edgevo {
@@ -44,13 +45,14 @@ class DelayedSensor {
   struct Result {
     double time_s;
     NewestPose pose;
-    bool is_in_kept_map;
+    KeptMapPose kept;
   };
   const std::shared_ptr<MapLog> log_ = std::make_shared<MapLog>();
   std::vector<StoredKeyframe> keyframes_;
   MapCursor events_;
   FoundSegments found_;
-  PastFollower past_;  // made before the odometry
+  std::optional<KeptMapTracker> kept_;  // none without a kept map
+  PastFollower past_;                   // made before the odometry
   Odometry odometry_;
   std::optional<double> given_latency_s_;
   bool cpu_latency_;

@@ -19,7 +19,8 @@ WorkerOptions place_worker(const OdometryOptions& options) {
 
 KeptMapSearch::KeptMapSearch(const Camera& camera, const OdometryOptions& options,
                              std::shared_ptr<const PlaceStore> kept)
-    : places_(rectification_of(camera, options), options.map_log, {}, std::move(kept)),
+    : tracker_(kept),
+      places_(rectification_of(camera, options), options.map_log, {}, std::move(kept)),
       events_(options.map_log),
       worker_(place_worker(options)) {
   places_.look_up_young(true);

@@ -2,13 +2,13 @@
 #pragma once
 // Looks for the keyframes of a servo loop in a map that was kept.
 #include <memory>
-#include <optional>
 
 #include "edgevo/core/worker.h"
 #include "edgevo/map/found_segments.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/places/place_memory.h"
+#include "edgevo/visp_bridge/kept_map_pose.h"
 
 namespace edgevo {
 
@@ -22,10 +22,13 @@ class KeptMapSearch {
 
   /// Call after each frame.
   void follow();
-  /// Whether this segment was found.
-  bool has_found(int segment) const { return found_.contains(segment); }
+  /// Where the newest frame is in the kept map.
+  KeptMapPose pose(const Odometry& odometry) {
+    return tracker_.follow(odometry, found_.contains(odometry.newest_pose().segment));
+  }
 
  private:
+  KeptMapTracker tracker_;
   PlaceMemory places_;
   MapCursor events_;
   FoundSegments found_;

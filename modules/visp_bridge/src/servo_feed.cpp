@@ -28,26 +28,25 @@ vpMatrix to_visp_metres(const Matrix6d& covariance, double metres_per_unit) {
   return m;
 }
 
-std::string not_usable_because(const NewestPose& view, double age_s, const ServoFeedOptions& options) {
-  if (view.frame_index < 0) return "no image has been processed yet";
-  if (!view.T_cam_map)
-    return std::string(to_string(view.state)) + (view.note.empty() ? "" : ": " + view.note);
-  if (view.p_right < options.min_p_right)
-    return "doubtful, p_right " + fixed(view.p_right, 2) + (view.note.empty() ? "" : ": " + view.note);
+std::string too_old_because(double age_s, const ServoFeedOptions& options) {
   if (age_s > options.stale_after_s) return "stale: the newest pose is " + std::to_string(age_s) + " s old";
   if (age_s < -kClockTolerance_s)
     return "the newest image is from the future: images and loop must use one clock";
   return {};
 }
 
-// Camera in `odom`.
-SE3 T_odom_cam(const NewestPose& view, const SE3& T_cam_map) {
-  return Sim3{view.odom_scale, view.T_odom_map}.apply(T_cam_map.inverse());
+std::string not_usable_because(const NewestPose& view, double age_s, const ServoFeedOptions& options) {
+  if (view.frame_index < 0) return "no image has been processed yet";
+  if (!view.T_cam_map)
+    return std::string(to_string(view.state)) + (view.note.empty() ? "" : ": " + view.note);
+  if (view.p_right < options.min_p_right)
+    return "doubtful, p_right " + fixed(view.p_right, 2) + (view.note.empty() ? "" : ": " + view.note);
+  return too_old_because(age_s, options);
 }
 
 }  // namespace
 
-void ServoFeed::publish(const NewestPose& view, bool is_in_kept_map) {
+void ServoFeed::publish(const NewestPose& view, const KeptMapPose& kept) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool other_segment = view.reference && newest_.reference && view.segment != newest_.segment;
   const bool other_camera =
@@ -68,7 +67,7 @@ void ServoFeed::publish(const NewestPose& view, bool is_in_kept_map) {
   // Without a map the last one is kept, since tracking may resume in it.
   std::shared_ptr<const Reference> last = newest_.reference;
   const int last_segment = newest_.segment;
-  newest_ = view, is_in_kept_map_ = is_in_kept_map;
+  newest_ = view, kept_ = kept;
   if (!newest_.reference) newest_.reference = std::move(last), newest_.segment = last_segment;
 }
 
@@ -107,12 +106,17 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   pose.age_s = newest_.frame_index < 0 ? 0 : seconds_between(newest_.time, now);
   pose.reason = failure_.empty() ? not_usable_because(newest_, pose.age_s, options_) : failure_;
   pose.usable = pose.reason.empty();
+  pose.usable_in_kept = kept_.is_by_own_map ? pose.usable
+                                            : kept_.by_image && failure_.empty() &&
+                                                  too_old_because(pose.age_s, options_).empty();
+  if (kept_.by_image) pose.cMk = to_visp(kept_.by_image->inverse());
   if (!newest_.T_cam_map) return pose;
   pose.predicted_s = step_s_ > 0 ? std::clamp(pose.age_s, 0.0, options_.max_prediction_s) : 0;
   const SE3 T_cam_map = SE3::exp(pose.predicted_s * velocity_) * *newest_.T_cam_map;
   pose.view.T_cam_map = T_cam_map;
   pose.cMw = to_visp(in_metres(T_cam_map, scale_.metres_per_unit));
-  if (is_in_kept_map_) pose.cMk = to_visp((newest_.T_world_odom * T_odom_cam(newest_, T_cam_map)).inverse());
+  if (kept_.is_by_own_map)
+    pose.cMk = to_visp((newest_.T_world_odom * T_odom_cam(newest_, T_cam_map)).inverse());
   pose.cMo = to_visp(to_metres_.apply(T_odom_cam(newest_, T_cam_map)).inverse());
   pose.cMw_at_image = to_visp(in_metres(*newest_.T_cam_map, scale_.metres_per_unit));
   // e = e_k + a (e_k - e_{k-1}) with a = predicted / step: the errors of both poses count.

@@ -86,8 +86,7 @@ void ServoOdometry::process(Frame frame) {
   add_gyro();
   odometry_.process(frame);
   if (search_) search_->follow();
-  const NewestPose newest = odometry_.newest_pose();
-  feed_->publish(newest, search_ && search_->has_found(newest.segment));
+  feed_->publish(odometry_.newest_pose(), search_ ? search_->pose(odometry_) : KeptMapPose());
 }
 
 Run ServoOdometry::finish() {

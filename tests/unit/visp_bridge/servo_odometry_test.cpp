@@ -102,13 +102,37 @@ TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
     ASSERT_TRUE(wait_for(feed, i - kFirst) && wait_for(feed_without, i - kFirst));
     EXPECT_FALSE(feed_without.pose(frame.time).cMk);
     const ServoPose pose = feed.pose(frame.time);
-    if (!pose.usable || !pose.cMk || !before.frames[size_t(i)].T_world_cam) continue;
+    if (!pose.usable_in_kept || !pose.usable || !before.frames[size_t(i)].T_world_cam) continue;
     ++found;
     const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(i)].T_world_cam;
     EXPECT_LT(off.translation().norm(), 0.05 * distance_before(kFirst, kFrames - 1)) << i;
     EXPECT_LT(off.angle(), rad(1)) << i;
   }
   EXPECT_GE(found, 10);
+}
+
+TEST(ServoOdometry, LocatesAStandingCameraByTheMapOfAnEarlierRun) {
+  edgevo::Run before;
+  const std::shared_ptr<const PlaceStore> kept = map_of_desk(&before);
+  constexpr int kStands = 30;
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed, kept);
+  int located = 0;
+  for (int i = 0; i < 8; ++i) {
+    const Timestamp time = Timestamp::from_seconds(i / 30.0);
+    odometry.push(desk().render_image(kStands), time);
+    ASSERT_TRUE(wait_for(feed, i));
+    const ServoPose pose = feed.pose(time);
+    EXPECT_FALSE(pose.usable) << "no map is made of one view";
+    ASSERT_EQ(pose.usable_in_kept, pose.cMk.has_value());
+    if (!pose.usable_in_kept) continue;
+    ++located;
+    EXPECT_FALSE(feed.pose(Timestamp::from_seconds(time.seconds() + 5)).usable_in_kept) << "too old";
+    const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(kStands)].T_world_cam;
+    EXPECT_LT(off.translation().norm(), 0.02) << "of a median depth of some 1";
+    EXPECT_LT(off.angle(), rad(0.5));
+  }
+  EXPECT_GE(located, 5);
 }
 
 TEST(ServoOdometry, TheNewestImageReplacesAWaitingOne) {

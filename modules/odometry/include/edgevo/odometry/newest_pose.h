@@ -62,4 +62,7 @@ struct NewestPose {
   std::shared_ptr<const Reference> reference;
 };
 
+/// Camera in the frame of live poses, where the camera is at `T_cam_map` in the segment's map.
+SE3 T_odom_cam(const NewestPose& view, const SE3& T_cam_map);
+
 }  // namespace edgevo

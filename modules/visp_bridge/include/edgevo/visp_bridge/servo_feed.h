@@ -18,8 +18,9 @@
 // map is a new one or was corrected for the lens: goals must be taught again. `camera.refine: none`
 // (params/servo.yaml) turns correction of the lens off.
 //
-// A goal of an earlier run: cMk, the camera in the map that was kept of it, once it was found there
-// (ServoOdometry). It stays valid over all maps of this run.
+// A goal of an earlier run: cMk, the camera in the map that was kept of it (ServoOdometry). It stays valid
+// over all maps of this run. Until the map of this run is found there, single images are located: a robot
+// that follows cMk needs no map to begin.
 //
 // For what is not fixed to one map: cMo, the camera in `odom`, which goes on smoothly over all maps and
 // drifts; and mMo, `odom` in `map` (share/doc/concepts.md, Frames). Both have the axes of the first camera.
@@ -35,6 +36,7 @@
 
 #include "edgevo/core/sim3.h"
 #include "edgevo/odometry/newest_pose.h"
+#include "edgevo/visp_bridge/kept_map_pose.h"
 
 namespace edgevo {
 
@@ -66,10 +68,12 @@ struct ServoScale {
 
 /// The newest pose, predicted to the time of the loop.
 struct ServoPose {
-  /// Whether the pose may be used; if not, the robot must stop.
+  /// Whether the pose in the map, cMw, may be used; if not, a robot that follows it must stop.
   bool usable = false;
-  /// Reason why the pose is not usable, for people.
+  /// Reason why it may not, for people.
   std::string reason;
+  /// Whether the pose in the kept map, cMk, may be used; if not, a robot that follows it must stop.
+  bool usable_in_kept = false;
   /// Tracking state of the newest frame.
   TrackingState state = TrackingState::kBootstrapping;
   /// Probability that the motion around the newest frame is right (NewestPose::p_right); NaN: unknown.
@@ -95,8 +99,8 @@ struct ServoPose {
   /// `odom` to `map`, where things lie by what is known: rigid, the identity until something is found about
   /// the past. Same unit as cMw.
   vpHomogeneousMatrix mMo;
-  /// Kept map to camera at the requested time, in the unit of that map whatever `scale` is. Nothing: there is
-  /// no such map, or the camera was not found in it yet.
+  /// Kept map to camera, in the unit of that map whatever `scale` is: at the requested time, or at that of
+  /// the newest frame if that was located by itself. Nothing: no such map, or the camera is not found in it.
   std::optional<vpHomogeneousMatrix> cMk;
   /// Number of changes of mMo by what was found so far.
   int map_changes = 0;
@@ -114,9 +118,9 @@ class ServoFeed {
   /// Makes a feed that has no pose yet.
   explicit ServoFeed(const ServoFeedOptions& options = {}) : options_(options) {}
 
-  /// Publishes the result of the newest frame. `is_in_kept_map`: whether its segment was found in a map that
-  /// was kept, whose frame and unit the world has. Any thread; takes microseconds.
-  void publish(const NewestPose& view, bool is_in_kept_map = false);
+  /// Publishes the result of the newest frame, and where that is in a map that was kept. Any thread; takes
+  /// microseconds.
+  void publish(const NewestPose& view, const KeptMapPose& kept = {});
   /// Sets the scale of the present map: lengths are in metres from now on. A later map has the scale that its
   /// unit has in `odom`. Another scale leaves the newest pose in `odom` where it is. Throws InputError unless
   /// it is positive and finite.
@@ -133,7 +137,7 @@ class ServoFeed {
   /// Held while copying only.
   mutable std::mutex mutex_;
   NewestPose newest_;
-  bool is_in_kept_map_ = false;
+  KeptMapPose kept_;
   /// Velocity per second, map units: T_cam_map <- exp(velocity dt) T_cam_map.
   Vector6d velocity_ = Vector6d::Zero();
   /// Interval that the velocity was measured over; 0: there is none.
