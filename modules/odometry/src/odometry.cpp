@@ -97,6 +97,7 @@ const FrameRecord& Odometry::Impl::follow(const Frame& frame, const ImageExposur
   front_end.begin_frame(frame.time);
   const ArrivedFrame arrived = find_edges(frame, state.has_pose(), exposure);
   if (state.tracks(arrived.record->evidence.edges, heading_sigma())) follow_map(arrived);
+  if (state.has_pose() && newest_pose.T_cam_map) place_young_map(arrived);
   if (!state.has_pose()) track_features(arrived, std::nullopt);
   if (state.bootstraps()) bootstrap_map(arrived);
   return *arrived.record;

@@ -73,6 +73,8 @@ struct Odometry::Impl {
   void refuse_pose(FrameRecord* record, const Reasons& why) const;
   // The pose of a frame in a map that was kept, as long as the run has none of its own.
   void locate(const ArrivedFrame& now);
+  // Where keyframes of the first map lie in the map that was kept, by the first frame located on each.
+  void place_young_map(const ArrivedFrame& now);
   BootstrapStatus search_and_make(const ArrivedFrame& now);
   // Begins a new segment. Returns nothing, or why the two views make no map.
   Reasons make_map(const ArrivedFrame& now, const BootstrapResult& views);
@@ -132,6 +134,9 @@ struct Odometry::Impl {
   bool camera_published = false;
   bool frame_published = false;   // the record of the newest frame as it is now
   bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
+  bool has_begun_map = false;
+  int images_located = 0;              // or tried, before that
+  int keyframe_located = kNoKeyframe;  // the newest one
   ImageFault reported_pattern = ImageFault::kNone;
   bool is_closed = false, is_finished = false;
   RealtimeRecord skipped_work;  // once it is closed

@@ -2,6 +2,7 @@
 // Odometry: making a map, in the thread of the frames or next to them.
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
@@ -22,22 +23,39 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   frame_published = false;  // times and note change
   record.evidence.stands = !now.still.empty();
   if (!concurrent) replay.add(now);
+  locate(now);
   const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
-  if (!record.T_world_cam_live) locate(now);
 }
 
 void Odometry::Impl::locate(const ArrivedFrame& now) {
   if (!options.locate || !state.may_be_located()) return;
+  ++images_located;
   const std::optional<LocatedPose> found = options.locate(*now.pyramid);
   if (!found) return;
   if (state.locate()) {
+    forget_views();  // the first view is to be one that is located
     frames.begin_segment({state.segment(), Sim3(), SegmentPlaced::Method::kLinked});
     report(now.frame, "located in the kept map");
   }
   frames.place(state.segment(), *found);
-  bootstrapper.locate(now.frame.index, *found);
+  bootstrapper.locate(now.frame, *found);
   assign_status({TrackingState::kTracking, {}}, now.record);
+}
+
+// Until places are recognised by keyframes that leave the window.
+void Odometry::Impl::place_young_map(const ArrivedFrame& now) {
+  if (!options.locate || concurrent) return;
+  const Reference& reference = *front_end.reference();
+  if (reference.keyframe_id >= params.mapping.window.keyframes) options.locate = {};
+  const std::optional<LocatedPose> found =
+      options.locate ? options.locate(*now.pyramid) : std::optional<LocatedPose>();
+  if (!found || std::exchange(keyframe_located, reference.keyframe_id) == reference.keyframe_id) return;
+  const SegmentPlaced placed =
+      locate_segment(state.segment(), *found, *newest_pose.T_cam_map, 1 / reference.median_idepth);
+  Constraint place = place_of(reference.keyframe_id, reference.T_ref_world, placed);
+  place.kind = ConstraintKind::kPlace;
+  frames.add_constraint(place);
 }
 
 void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const {
@@ -54,6 +72,8 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   if (!status.result && !now.still.empty())
     return {std::nullopt, {{now.still.is_certain ? ReasonKind::kStands : ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
+  if (options.locate && !has_begun_map && images_located < kImagesToLocate)
+    return {std::nullopt, {{ReasonKind::kMapInMaking}}};
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);
   return status;
@@ -86,7 +106,8 @@ void Odometry::Impl::begin_segment(const ArrivedFrame& now, const NewSegment& be
 }
 
 void Odometry::Impl::record_segment(const Frame& frame, const NewSegment& begun) {
-  options.locate = {};  // what it holds is not needed any more
+  if (concurrent || has_begun_map) options.locate = {};  // what it holds is not needed any more
+  has_begun_map = true;
   if (corners) corners->begin_map(begun.reference->median_idepth);
   report(frame, "map of " + std::to_string(begun.reference->cloud.points.size()) + " edge points, segment " +
                     std::to_string(state.segment()) + "; " + begun.why);

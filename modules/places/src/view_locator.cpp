@@ -65,7 +65,7 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
 
 std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
   recent_.push_back(by_image(remember_view(pyramid)));
-  if (recent_.size() > kRecent) recent_.pop_front();
+  if (recent_.size() > kImagesToLocate) recent_.pop_front();
   const std::optional<LocatedPose>& newest = recent_.back();
   if (!newest) return std::nullopt;
   const auto agreeing = std::count_if(recent_.begin(), recent_.end(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/tracking/bootstrapper.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -15,7 +16,8 @@ Bootstrapper::Bootstrapper(const Rectification& rectification, const TrackingPar
                            const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames,
                            TurnBetween turn)
     : pinhole_(rectification.target()),
-      bootstrap_(rectification, bootstrap, seed, turn),
+      bootstrap_(rectification, bootstrap, seed,
+                 [this](Timestamp a, Timestamp b) { return turn_between(a, b); }),
       params_(params),
       map_(map),
       frames_(frames),
@@ -23,6 +25,20 @@ Bootstrapper::Bootstrapper(const Rectification& rectification, const TrackingPar
 
 BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid, true, now.rows.expected);
+}
+
+std::optional<CameraTurn> Bootstrapper::turn_between(Timestamp begin, Timestamp end) const {
+  if (turn_)
+    if (const std::optional<CameraTurn> turn = turn_(begin, end)) return turn;
+  const auto at = [&](Timestamp time) {
+    return std::find_if(located_.begin(), located_.end(),
+                        [&](const auto& l) { return l.second.time == time; });
+  };
+  const auto a = at(begin), b = at(end);
+  if (a == located_.end() || b == located_.end()) return std::nullopt;
+  const LocatedPose &first = a->second.pose, &last = b->second.pose;
+  return CameraTurn{(last.T_world_cam.inverse() * first.T_world_cam).rotation(),
+                    (first.covariance + last.covariance).bottomRightCorner<3, 3>()};
 }
 
 Reasons Bootstrapper::make_map(const BootstrapResult& views) {
@@ -44,7 +60,7 @@ std::optional<SegmentPlaced> Bootstrapper::place_located(int segment, const Boot
     for (const BootstrapView& view : views.views)
       if (view.placed && distance(located, view) <= nearest) {
         nearest = distance(located, view);
-        placed = locate_segment(segment, located.second, view.T_cam_first, kFirstMedianDepth);
+        placed = locate_segment(segment, located.second.pose, view.T_cam_first, kFirstMedianDepth);
       }
   if (!placed || nearest == 0) return placed;
   placed->method = SegmentPlaced::Method::kDepthRatio;  // a guess

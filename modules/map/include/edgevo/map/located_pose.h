@@ -8,6 +8,10 @@ namespace edgevo {
 /// Id of the keyframe of a frame that was located: it has none.
 constexpr int kNoKeyframe = -1;
 
+/// Images within which a camera is located, where it can be: the first map of a run waits for them, since its
+/// motion and unit follow from such poses.
+constexpr int kImagesToLocate = 6;
+
 /// Where an image was taken from.
 struct LocatedPose {
   /// Pose of the camera in the world of the kept map, in its unit.

@@ -79,7 +79,8 @@ struct OdometryOptions {
   std::function<std::optional<MapMoved>(const Map&)> move_map;
   /// Locates an image in a map that was kept (places/view_locator.h); may be empty. Called in the thread of
   /// process() for each frame until the run has made a map of its own: what is found is the frame's pose, in
-  /// a segment whose map is the kept one.
+  /// a segment whose map is the kept one. Then, but not with `on_schedule`, for the frames of the first
+  /// keyframes of that map, of whose places it is a measurement.
   std::function<std::optional<LocatedPose>(const FramePyramid&)> locate;
   /// Called with one line at each change of state; may be empty.
   std::function<void(const std::string&)> log;

@@ -53,6 +53,9 @@ class Bootstrapper {
                const BootstrapParams& bootstrap, uint64_t seed, MapLink* map, FrameLog* frames,
                TurnBetween turn = {});
 
+  Bootstrapper(const Bootstrapper&) = delete;
+  Bootstrapper& operator=(const Bootstrapper&) = delete;
+
   /// Forgets the first view.
   void reset() { bootstrap_.reset(); }
   /// Adds the next frame. Returns two views that may make a map, or why there are none yet.
@@ -62,8 +65,9 @@ class Bootstrapper {
   /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns nothing, or why they make
   /// no map.
   [[nodiscard]] Reasons make_map(const BootstrapResult& views);
-  /// A frame of the bootstrap has been located in a map that was kept: the next map begins there.
-  void locate(int frame_index, const LocatedPose& found) { located_[frame_index] = found; }
+  /// A frame of the bootstrap has been located in a map that was kept: the next map begins there, by a motion
+  /// with the turn between such frames.
+  void locate(const Frame& frame, const LocatedPose& found) { located_[frame.index] = {frame.time, found}; }
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
@@ -73,6 +77,12 @@ class Bootstrapper {
                            const SegmentBeginning* known = nullptr);
 
  private:
+  struct Located {
+    Timestamp time;
+    LocatedPose pose;
+  };
+
+  std::optional<CameraTurn> turn_between(Timestamp begin, Timestamp end) const;
   std::optional<SegmentPlaced> place_located(int segment, const BootstrapResult& views) const;
   SegmentPlaced place(int segment, const BootstrapResult& views,
                       const std::optional<TrustedReference>& before, const std::optional<ViewLink>& link,
@@ -84,7 +94,7 @@ class Bootstrapper {
   MapLink* map_;
   FrameLog* frames_;
   TurnBetween turn_;
-  std::map<int, LocatedPose> located_;  // by frame, since the last map
+  std::map<int, Located> located_;  // by frame, since the last map
 };
 
 }  // namespace edgevo
