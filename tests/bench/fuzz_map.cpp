@@ -25,7 +25,7 @@ std::string bytes_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Single bytes, a stretch of one value, a page at another's place, or an end that is missing.
+// Single bytes, a run of one value, a page at another's place, or an end that is missing.
 void damage(std::string* bytes, std::mt19937* random) {
   constexpr size_t kPage = 4096;
   const auto below = [&](size_t n) { return std::uniform_int_distribution<size_t>(0, n - 1)(*random); };
