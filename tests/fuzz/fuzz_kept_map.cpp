@@ -6,6 +6,7 @@
 #include "edgevo/core/input_file.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/kept_map/map_picture.h"
+#include "edgevo/places/place_index.h"
 #include "fuzz/mutate.h"
 #include "unit/kept_map/made_map.h"
 
@@ -21,10 +22,13 @@ int rounds() {
 void use(const std::string& path) {
   const KeptMap map = read_map(path);
   describe(map, path);
+  PlaceIndex index;
   if (map.store.size() % 4 == 0) map_picture(map);
   for (size_t i = 0; i < map.store.size(); i += 7) {
     map.store.points_around(i);
-    unpack(map.store.keyframes()[i].view->edges);
+    const RememberedView& view = *map.store.keyframes()[i].view;
+    unpack(view.edges);
+    index.add(view);
   }
 }
 

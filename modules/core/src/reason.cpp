@@ -53,6 +53,8 @@ const char* pattern_of(ReasonKind kind) {
       return "two views found: a map is being made";
     case ReasonKind::kMapInMaking:
       return "a map is being made";
+    case ReasonKind::kMayBeLocated:
+      return "looked for in the kept map first";
     case ReasonKind::kMayBeEgoPart:
       return "what moves may not be the scene, the camera seems to stand, or a part is fixed to it: "
              "the map waits";

@@ -141,7 +141,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose, const
   if (ego_mask_monitor.take(*arrived.pyramid)) {
     // Two views of a map would see different things.
     forget_views();
-    replay.mask_changed();
+    replay.views_dropped();
     report(frame, ego_mask_monitor.description());
   }
   newest_pose = {};

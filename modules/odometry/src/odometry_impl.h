@@ -3,6 +3,7 @@
 // The steps of Odometry: each frame's path in odometry.cpp, the making of maps in odometry_maps.cpp.
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "edgevo/confidence/frame_status.h"
@@ -135,8 +136,8 @@ struct Odometry::Impl {
   bool frame_published = false;   // the record of the newest frame as it is now
   bool at_zero_velocity = false;  // of a camera that stands, in the newest frame
   bool has_begun_map = false;
-  int images_located = 0;              // or tried, before that
-  int keyframe_located = kNoKeyframe;  // the newest one
+  int images_tried = 0;             // to be located, before that
+  std::set<int> keyframes_located;  // of the first map
   ImageFault reported_pattern = ImageFault::kNone;
   bool is_closed = false, is_finished = false;
   RealtimeRecord skipped_work;  // once it is closed

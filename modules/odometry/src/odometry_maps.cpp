@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Odometry: making a map, in the thread of the frames or next to them.
+#include <cmath>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
@@ -30,11 +30,12 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
 
 void Odometry::Impl::locate(const ArrivedFrame& now) {
   if (!options.locate || !state.may_be_located()) return;
-  ++images_located;
+  ++images_tried;
   const std::optional<LocatedPose> found = options.locate(*now.pyramid);
   if (!found) return;
   if (state.locate()) {
-    forget_views();  // the first view is to be one that is located
+    // The first view is to be one that is located.
+    if (!concurrent) forget_views(), replay.views_dropped();
     frames.begin_segment({state.segment(), Sim3(), SegmentPlaced::Method::kLinked});
     report(now.frame, "located in the kept map");
   }
@@ -43,16 +44,22 @@ void Odometry::Impl::locate(const ArrivedFrame& now) {
   assign_status({TrackingState::kTracking, {}}, now.record);
 }
 
-// Until places are recognised by keyframes that leave the window.
+// Until places are recognised by keyframes that leave the window. The frame's pose in the young map, by which
+// the keyframe is placed, is as uncertain as the unit of that.
 void Odometry::Impl::place_young_map(const ArrivedFrame& now) {
-  if (!options.locate || concurrent) return;
   const Reference& reference = *front_end.reference();
   if (reference.keyframe_id >= params.mapping.window.keyframes) options.locate = {};
-  const std::optional<LocatedPose> found =
-      options.locate ? options.locate(*now.pyramid) : std::optional<LocatedPose>();
-  if (!found || std::exchange(keyframe_located, reference.keyframe_id) == reference.keyframe_id) return;
-  const SegmentPlaced placed =
-      locate_segment(state.segment(), *found, *newest_pose.T_cam_map, 1 / reference.median_idepth);
+  const bool is_known = keyframes_located.count(reference.keyframe_id) > 0;
+  if (!options.locate || concurrent || doubted_by_images || is_known) return;
+  const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
+  const std::optional<LocatedPose> found = options.locate(*now.pyramid);
+  if (!found) return;
+  keyframes_located.insert(reference.keyframe_id);
+  const SE3& T_cam_map = *newest_pose.T_cam_map;
+  SegmentPlaced placed = locate_segment(state.segment(), *found, T_cam_map, 1 / reference.median_idepth);
+  const double length =
+      placed.T_world_map.scale * (T_cam_map * reference.T_ref_world.inverse()).translation().norm();
+  placed.position_sigma = std::hypot(placed.position_sigma, placed.scale_sigma * length);
   Constraint place = place_of(reference.keyframe_id, reference.T_ref_world, placed);
   place.kind = ConstraintKind::kPlace;
   frames.add_constraint(place);
@@ -72,8 +79,8 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   if (!status.result && !now.still.empty())
     return {std::nullopt, {{now.still.is_certain ? ReasonKind::kStands : ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
-  if (options.locate && !has_begun_map && images_located < kImagesToLocate)
-    return {std::nullopt, {{ReasonKind::kMapInMaking}}};
+  if (options.locate && !has_begun_map && images_tried < kImagesToLocate)
+    return {std::nullopt, {{ReasonKind::kMayBeLocated}}};
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);
   return status;

@@ -4,11 +4,13 @@
 // images.
 #include <cstddef>
 
+#include "edgevo/map/located_pose.h"
+
 namespace edgevo {
 
 /// Places that are tried for each view.
 inline constexpr size_t kCandidates = 3;
 /// A place is believed if so many of the last queries agree.
-inline constexpr size_t kAgreeing = 3, kRecent = 6;
+inline constexpr size_t kAgreeing = 3, kRecent = kImagesToLocate;
 
 }  // namespace edgevo

@@ -65,18 +65,12 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
 
 std::optional<LocatedPose> ViewLocator::locate(const FramePyramid& pyramid) {
   recent_.push_back(by_image(remember_view(pyramid)));
-  if (recent_.size() > kImagesToLocate) recent_.pop_front();
+  if (recent_.size() > kRecent) recent_.pop_front();
   const std::optional<LocatedPose>& newest = recent_.back();
   if (!newest) return std::nullopt;
   const auto agreeing = std::count_if(recent_.begin(), recent_.end(),
                                       [&](const auto& pose) { return pose && are_adjacent(*newest, *pose); });
   return size_t(agreeing) >= kAgreeing ? newest : std::nullopt;
-}
-
-std::optional<LocatedPose> ViewLocator::locate_newest(std::shared_ptr<const FramePyramid> pyramid) {
-  if (newest_ == pyramid) return std::nullopt;
-  newest_ = std::move(pyramid);
-  return locate(*newest_);
 }
 
 std::function<std::optional<LocatedPose>(const FramePyramid&)> locate_in(

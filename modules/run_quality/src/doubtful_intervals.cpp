@@ -16,9 +16,9 @@ constexpr int kComparedWithin = 50;
 
 // A step on the way to a map is no cause, however long it takes.
 bool is_cause(const Reason& reason) {
-  constexpr ReasonKind kSteps[] = {ReasonKind::kFirstView, ReasonKind::kNewFirstView,
+  constexpr ReasonKind kSteps[] = {ReasonKind::kFirstView,    ReasonKind::kNewFirstView,
                                    ReasonKind::kSearchBehind, ReasonKind::kMapBegun,
-                                   ReasonKind::kMapInMaking};
+                                   ReasonKind::kMapInMaking,  ReasonKind::kMayBeLocated};
   return std::find(std::begin(kSteps), std::end(kSteps), reason.kind) == std::end(kSteps);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -23,6 +24,21 @@ std::set<int> frames_found(const Run& run) {
   for (const ConstraintRecord& c : run.constraints)
     if (c.from_frame < 0 && c.holds) found.insert(c.to_frame);
   return found;
+}
+
+// A keyframe may have several, of which one is mistaken: their scales tell them apart.
+std::vector<Constraint> those_that_hold(const Run& run, const KeptMap& of_run,
+                                        const std::vector<Constraint>& found) {
+  std::set<std::pair<int, double>> holding;  // frame, scale
+  for (const ConstraintRecord& c : run.constraints)
+    if (c.from_frame < 0 && c.holds) holding.insert({c.to_frame, c.scale});
+  std::map<int, int> frame_of;  // by keyframe
+  for (const StoredKeyframe& k : of_run.store.keyframes()) frame_of[k.id] = k.record->frame_index;
+  std::vector<Constraint> that_hold;
+  for (const Constraint& c : found)
+    if (const auto k = frame_of.find(c.to.number()); k != frame_of.end())
+      if (holding.count({k->second, c.T_from_to.scale}) > 0) that_hold.push_back(c);
+  return that_hold;
 }
 
 // Of the run's unit in that of the map: what is known best of a keyframe; exact if there is none.
@@ -70,13 +86,7 @@ std::string KeptPlaces::extend(const Run& run, const std::string& run_map,
     throw InputError(file, "is not extended, since that would lose what is damaged: " + map.warnings.front(),
                      "join what can be read with another map: edgevo join A B -o C");
   const KeptMap of_run = read_finished_map(run_map);
-  std::set<int> holding;  // ids
-  const std::set<int> frames = frames_found(run);
-  for (const StoredKeyframe& k : of_run.store.keyframes())
-    if (frames.count(k.record->frame_index) > 0) holding.insert(k.id);
-  std::vector<Constraint> that_hold;
-  for (const Constraint& c : found)
-    if (holding.count(c.to.number()) > 0) that_hold.push_back(c);
+  const std::vector<Constraint> that_hold = those_that_hold(run, of_run, found);
   const size_t before = map.store.size(), added = extend_map(of_run, that_hold, &map);
   if (added == 0) return "nothing new for " + path_;
   write_map(map, file);

@@ -132,7 +132,7 @@ class ClosedLoop {
 
   // The pose in the kept map.
   ServoPose in_kept_map(ServoPose pose) const {
-    if (pose.usable && !pose.usable_in_kept) pose.reason = "not found in the kept map yet";
+    if (pose.usable && !pose.usable_in_kept) pose.reason = "not found in the kept map";
     pose.usable = pose.usable_in_kept;
     if (!pose.usable) return pose;
     pose.cMw = to_visp(in_metres(to_se3(*pose.cMk)));
@@ -148,7 +148,7 @@ class ClosedLoop {
       is_found_ = true, camera_.begin_darkness(row->time_s + params_.blackout_at_s);
     unknown_s_ = pose.usable ? 0 : unknown_s_ + 1 / params_.rate_hz;
     if (const auto share = camera_.darkness(row->time_s)) return carry(*share);
-    if (is_found_ && unknown_s_ < kUntilHand_s) {
+    if (unknown_s_ < kUntilHand_s) {
       by_hand_s_ = 0;
       return;
     }

@@ -33,7 +33,7 @@ double seconds_of(bool cpu, const Work& work) {
 DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params, const ServoParams& servo,
                              ServoFeed* feed, std::shared_ptr<const PlaceStore> kept)
     : events_(log_),
-      kept_(kept ? std::optional<KeptMapTracker>(kept) : std::nullopt),
+      in_kept_(kept ? std::optional<KeptMapTracker>(kept) : std::nullopt),
       past_(
           camera, std::nullopt, options_of(servo, log_),
           {{}, {}, std::move(kept), true, [this](const StoredKeyframe& k) { keyframes_.push_back(k); }, {}}),
@@ -61,7 +61,7 @@ void DelayedSensor::work(std::vector<ServoRow>* rows) {
   KeptMapPose kept;
   const double took_s = seconds_of(cpu_latency_, [&] {
     odometry_.process(frame);
-    if (kept_) kept = kept_->follow(odometry_, found_.contains(odometry_.newest_pose().segment));
+    if (in_kept_) kept = in_kept_->follow(odometry_, found_.contains(odometry_.newest_pose().segment));
   });
   past_.follow();
   for (const auto& event : events_.read()) found_.apply(*event);

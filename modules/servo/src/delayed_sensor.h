@@ -51,8 +51,8 @@ class DelayedSensor {
   std::vector<StoredKeyframe> keyframes_;
   MapCursor events_;
   FoundSegments found_;
-  std::optional<KeptMapTracker> kept_;  // none without a kept map
-  PastFollower past_;                   // made before the odometry
+  std::optional<KeptMapTracker> in_kept_;  // none without a kept map
+  PastFollower past_;                      // made before the odometry
   Odometry odometry_;
   std::optional<double> given_latency_s_;
   bool cpu_latency_;

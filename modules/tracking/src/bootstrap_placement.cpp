@@ -51,6 +51,7 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTra
     std::optional<FrameRecord> record = frames->find(view.frame_index);
     if (!record || !view.placed) continue;
     SE3 T_cam_ref = pose_in_map(view, bootstrap, reference);
+    record->covariance.setZero();  // a frame that was located had one in another unit
     std::optional<FrameStatus> status;
     if (tracks[i]) {
       const TrackResult& r = *tracks[i];

@@ -37,8 +37,10 @@ std::optional<CameraTurn> Bootstrapper::turn_between(Timestamp begin, Timestamp 
   const auto a = at(begin), b = at(end);
   if (a == located_.end() || b == located_.end()) return std::nullopt;
   const LocatedPose &first = a->second.pose, &last = b->second.pose;
-  return CameraTurn{(last.T_world_cam.inverse() * first.T_world_cam).rotation(),
-                    (first.covariance + last.covariance).bottomRightCorner<3, 3>()};
+  const Eigen::Quaterniond R = (last.T_world_cam.inverse() * first.T_world_cam).rotation();
+  const Eigen::Matrix3d of_first = first.covariance.bottomRightCorner<3, 3>();
+  return CameraTurn{R, R.toRotationMatrix() * of_first * R.toRotationMatrix().transpose() +
+                           last.covariance.bottomRightCorner<3, 3>()};
 }
 
 Reasons Bootstrapper::make_map(const BootstrapResult& views) {

@@ -10,11 +10,17 @@ namespace edgevo {
 
 KeptMapPose KeptMapTracker::follow(const Odometry& odometry, bool is_found) {
   const NewestPose& newest = odometry.newest_pose();
-  if (std::exchange(segment_, newest.segment) != newest.segment) agrees_ = contradicts_ = false;
+  const std::shared_ptr<const FramePyramid> before =
+      std::exchange(newest_image_, odometry.frame_view().pyramid);
+  const bool is_another_map = std::exchange(segment_, newest.segment) != newest.segment;
+  const bool is_placed_anew = std::exchange(world_changes_, newest.world_changes) != newest.world_changes;
+  if (is_another_map || !newest.T_cam_map) contradicts_ = false;
+  if (is_another_map || !newest.T_cam_map || is_placed_anew || newest.p_right < kDoubtfulBelow)
+    agrees_ = false;
   const bool has_own = is_found && newest.T_cam_map;
-  if (newest.p_right < kDoubtfulBelow) agrees_ = false;
   if (has_own && agrees_) return {true, std::nullopt};
-  const std::optional<LocatedPose> image = locator_.locate_newest(odometry.frame_view().pyramid);
+  std::optional<LocatedPose> image;
+  if (newest_image_ && newest_image_ != before) image = locator_.locate(*newest_image_);
   if (has_own && image) {
     agrees_ = is_same_pose(newest.T_world_odom * T_odom_cam(newest, *newest.T_cam_map), *image);
     contradicts_ = !agrees_;

@@ -103,7 +103,9 @@ TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
     EXPECT_FALSE(feed_without.pose(frame.time).cMk);
     const ServoPose pose = feed.pose(frame.time);
     if (!pose.usable_in_kept || !pose.usable || !before.frames[size_t(i)].T_world_cam) continue;
-    ++found;
+    // What follows the velocity is by the run's own map.
+    const ServoPose later = feed.pose(Timestamp::from_seconds(frame.time.seconds() + 0.03));
+    found += later.cMk && (to_se3(*later.cMk).inverse() * to_se3(*pose.cMk)).translation().norm() > 0;
     const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(i)].T_world_cam;
     EXPECT_LT(off.translation().norm(), 0.05 * distance_before(kFirst, kFrames - 1)) << i;
     EXPECT_LT(off.angle(), rad(1)) << i;
@@ -129,7 +131,7 @@ TEST(ServoOdometry, LocatesAStandingCameraByTheMapOfAnEarlierRun) {
     ++located;
     EXPECT_FALSE(feed.pose(Timestamp::from_seconds(time.seconds() + 5)).usable_in_kept) << "too old";
     const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(kStands)].T_world_cam;
-    EXPECT_LT(off.translation().norm(), 0.02) << "of a median depth of some 1";
+    EXPECT_LT(off.translation().norm(), 0.2) << "of a median depth of some 10";
     EXPECT_LT(off.angle(), rad(0.5));
   }
   EXPECT_GE(located, 5);

@@ -47,6 +47,8 @@ enum class ReasonKind : uint8_t {
   kMapBegun,
   /// A map is being made.
   kMapInMaking,
+  /// The camera may be located in a map that was kept: the run's own waits for it.
+  kMayBeLocated,
   /// Part of the view may be fixed to the camera: the map waits.
   kMayBeEgoPart,
   /// The camera seems to stand.

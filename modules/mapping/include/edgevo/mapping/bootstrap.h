@@ -77,11 +77,12 @@ struct BootstrapStatus {
   Reasons reasons;
 };
 
-/// Rotation of the camera between two times by another sensor; nothing if none knows it.
+/// Rotation of the camera between two times by a gyro or a map that was kept; nothing if none knows it.
 using TurnBetween = std::function<std::optional<CameraTurn>(Timestamp begin, Timestamp end)>;
 
-/// Searches two views with enough parallax. Where a gyro knows the rotation between them, the motion with it
-/// is one of those that are compared, and motions that it contradicts are none, unless the images refute it.
+/// Searches two views with enough parallax. Where the rotation between them is known otherwise, the motion
+/// with it is one of those that are compared, and motions that it contradicts are none, unless the images
+/// refute it.
 class Bootstrap {
  public:
   /// `seed`: that of RANSAC. `turn` may be empty.

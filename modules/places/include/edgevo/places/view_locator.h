@@ -26,9 +26,6 @@ class ViewLocator {
 
   /// The pose of the next image; nothing if it is not believed. Cost: some 20 ms at 640x480.
   std::optional<LocatedPose> locate(const FramePyramid& pyramid);
-  /// The same of the newest image of an odometry, not null; nothing if it is the one of before, too: the
-  /// frame's own image was not used.
-  std::optional<LocatedPose> locate_newest(std::shared_ptr<const FramePyramid> pyramid);
 
  private:
   std::optional<LocatedPose> by_image(const RememberedView& view);
@@ -38,7 +35,6 @@ class ViewLocator {
   std::vector<size_t> keyframe_of_;  // by number of the view in the index
   PlaceVotes votes_;
   std::deque<std::optional<LocatedPose>> recent_;  // of the last images, the newest last
-  std::shared_ptr<const FramePyramid> newest_;     // that was looked at
 };
 
 /// Whether a pose is the one that was located, by the tolerance of a right motion (core/motion_tolerance.h).

@@ -21,11 +21,11 @@ class BackwardReplay {
   /// Takes the next frame without a pose. Beyond a bound, lower while nothing may be fixed to the camera and
   /// it has not stood, the oldest view is lost, with all frames that share it.
   void add(const ArrivedFrame& now);
-  /// The mask has changed: the frames so far will not be in the views of a map.
-  void mask_changed() { is_needed_ = !frames_.empty(); }
+  /// The frames so far will not be in the views of a map, as their mask is another or other views are better.
+  void views_dropped() { is_needed_ = !frames_.empty(); }
   /// The map of a segment is there: gives the frames before its first view their poses, from the latest to
   /// the first that the map does not explain, and forgets all. Nothing happens if the camera did not stand
-  /// and no mask has changed. Cost: one alignment a frame, one for all in which the camera stood.
+  /// and no views were dropped. Cost: one alignment a frame, one for all in which the camera stood.
   void place(const BootstrapResult& views, const Reference& reference, int segment,
              const TrackingParams& params, FrameLog* frames);
   /// Forgets the frames.

@@ -4,8 +4,8 @@
 //
 // Two measurements say it: the map of this run, once its keyframes were found in the kept one, and the image
 // by itself (places/view_locator.h). A young map, or one made in changing light, may have been found and
-// still be wrong in its unit, so it is believed from where an image agrees with it, and no more from where
-// one contradicts or its motion is doubtful.
+// still be wrong in its unit, so images are located until one agrees with it, and again after a doubt, a loss
+// or another placement; it is not believed while the newest of them contradicts it.
 //
 // Distributed under the GPL when linked, as ViSP is (see LICENSE).
 #include <memory>
@@ -36,7 +36,8 @@ class KeptMapTracker {
 
  private:
   ViewLocator locator_;
-  int segment_ = -1;
+  std::shared_ptr<const FramePyramid> newest_image_;
+  int segment_ = -1, world_changes_ = 0;
   bool agrees_ = false, contradicts_ = false;
 };
 
