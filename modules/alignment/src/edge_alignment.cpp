@@ -158,6 +158,8 @@ class EdgeCost {
 constexpr double kVarianceOfResidual = 4;  // px^2
 // Sigmas from which a rotation counts as far off.
 constexpr double kTurnHuber = 3;
+// Sigmas that hardly any image is off by, of a gyro that turns with the camera: one in a hundred.
+constexpr double kTurnFarOff = 6;
 
 // Edge cost with priors on the translation and the rotation; null: none.
 class CostWithPriors {
@@ -302,6 +304,11 @@ Eigen::Matrix3d RotationPrior::weight(const SE3& T_cur_ref) const {
 
 Eigen::Matrix3d RotationPrior::covariance(const SE3& T_cur_ref) const {
   return kVarianceOfResidual * weight(T_cur_ref).inverse();
+}
+
+bool RotationPrior::is_far_off(const Eigen::Quaterniond& R_cur_ref, const Eigen::Matrix3d& covariance) const {
+  const Eigen::Vector3d w = rotation_vector(R_cur_ref * R_expected.conjugate());
+  return w.dot((information.inverse() + covariance).inverse() * w) > kTurnFarOff * kTurnFarOff;
 }
 
 double RotationPrior::cost(const SE3& T_cur_ref) const {

@@ -74,13 +74,4 @@ double probability_of_wrong_focal_length(double focal_error, double sigma, doubl
   return std::isfinite(p) ? p : 0;
 }
 
-double probability_of_wrong_turn(double difference_deg, double sigma_deg) {
-  // Standard deviation of turns as reported: one in a hundred is off by more than the tolerance.
-  constexpr double kUsual = kMotionTolerance.rotation_deg / 2.58;
-  const double share = kUsual * kUsual / (kUsual * kUsual + sigma_deg * sigma_deg);
-  const double p = probability_beyond(share * difference_deg, kUsual * std::sqrt(1 - share),
-                                      kMotionTolerance.rotation_deg);
-  return std::isfinite(p) ? p : 0;
-}
-
 }  // namespace edgevo

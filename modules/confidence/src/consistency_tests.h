@@ -38,9 +38,4 @@ double change_of_step(double recent, double usual, double median_depth,
 /// A vague estimate speaks against few files: most are right.
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg);
 
-/// Probability that the turn over ten frames is wrong (3 degrees), by its difference to that of a gyro and
-/// the standard deviation of the gyro's. One that is unsure says no more than that wrong turns are rare. NaN:
-/// 0.
-double probability_of_wrong_turn(double difference_deg, double sigma_deg);
-
 }  // namespace edgevo

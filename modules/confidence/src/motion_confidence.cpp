@@ -68,10 +68,7 @@ Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {
   return {ReasonKind::kMapMoved, e.moved_by_map};
 }
 
-Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e, const TurnDifference& by_gyro) {
-  if (trust.p_wrong_turn > std::max(trust.p_wrong_unit, trust.p_wrong_focal_length) &&
-      trust.p_wrong_turn > 1 - p_right(trust.doubts))
-    return {ReasonKind::kRotationByGyro, by_gyro.angle_deg};
+Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e) {
   if (p_right(trust.doubts) < kDoubtfulBelow) return reason_of(largest_contribution(trust.doubts), e);
   if (trust.p_wrong_unit > trust.p_wrong_focal_length) return {ReasonKind::kUnitCarried, trust.unit_sigma};
   return {ReasonKind::kFocalLength, e.focal_error};
@@ -113,15 +110,13 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
   trust.unit_sigma = carried_unit_sigma();
   trust.p_wrong_unit = probability_beyond(0, trust.unit_sigma, kMotionTolerance.share_of_length);
-  trust.p_wrong_turn = probability_of_wrong_turn(frame.by_gyro.angle_deg, frame.by_gyro.sigma_deg);
-  trust.p_right_by_images =
+  trust.p_right =
       edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) * (1 - trust.p_wrong_unit));
-  trust.p_right = trust.p_right_by_images * (1 - trust.p_wrong_turn);
-  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, e, frame.by_gyro)};
+  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, e)};
   // No camera makes such a step, whatever else is as usual.
   if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
       times > params_.step.times) {
-    trust.p_right = trust.p_right_by_images = 0;
+    trust.p_right = 0;
     trust.reasons = {{ReasonKind::kStep, times}};
   }
   const double times_usual = std::fmax(motion.step / motion.usual_before, frame.times_usual_live);

@@ -88,8 +88,6 @@ const char* pattern_of(ReasonKind kind) {
       return "the map moved under the camera within 10 frames (by %.1f %% of the depth)";
     case ReasonKind::kUnitCarried:
       return "a turn with hardly a translation, in which a unit of length is carried on to %.0f %% only";
-    case ReasonKind::kRotationByGyro:
-      return "rotation over 10 frames differs from the gyro's by %.1f degrees";
   }
   return "";
 }

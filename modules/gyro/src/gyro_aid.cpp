@@ -117,7 +117,9 @@ void GyroAid::take_fit(const GyroFit& fit) {
   const bool is_known = checks_change_ && is_observed();
   if (is_known && fit.kind == Kind::kPerhapsMirrored) return;
   checks_change_ = false;
-  if (is_known && fit.kind == Kind::kRelated && !filter_->is_broken()) return;  // as it was followed
+  if (is_known && !filter_->is_broken() &&
+      fit.kind == (filter_->model().is_mirrored() ? Kind::kMirrored : Kind::kRelated))
+    return;  // as it was followed
   filter_.reset();
   if (fit.kind == Kind::kPerhapsMirrored) return;
   if (fit.kind == Kind::kMirrored)
@@ -165,7 +167,7 @@ void GyroAid::follow(const SeenTurn& seen) {
 void GyroAid::note(const std::string& change, double since_s) {
   changed_ = change + formatted(" at %.2f s after its first sample", since_s);
   reports_.push_back("gyro: " + changed_);
-  check_again();
+  if (!checks_change_) check_again();
 }
 
 // Whether it still turns with the camera is found as that of a new one, from now on.
@@ -207,7 +209,10 @@ std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
   if (!is_used() || filter_->was_broken_after(gyro_.seconds(begin))) return std::nullopt;
   std::optional<CameraTurn> found =
       camera_turn(gyro_, filter_->model(), gyro_.seconds(begin), gyro_.seconds(end));
-  if (found) found->covariance *= factor();
+  if (!found) return std::nullopt;
+  const double dt = seconds_between(begin, end);
+  found->covariance *= factor();
+  found->covariance.diagonal().array() += filter_->variance_of_rate() * dt * dt;
   return found;
 }
 

@@ -18,21 +18,23 @@ constexpr double kSureOdds = 100;
 // A rival that has not won so many seconds after its beginning begins anew: a large change is seen within
 // some images, a small one within seconds.
 constexpr double kLives[] = {0.3, 3};
-// Share of the rotations of images that are outliers, and their variance over that of the others.
+// Share of the rotations of images that are outliers, and of half of these the variance over that of the
+// others.
 constexpr double kOutliers = 0.02, kOutlierVariance = 100;
 
 constexpr GyroChangeKind kKinds[] = {GyroChangeKind::kBias, GyroChangeKind::kScale, GyroChangeKind::kClock,
-                                     GyroChangeKind::kMount};
+                                     GyroChangeKind::kMount, GyroChangeKind::kAll};
 
-// Standard deviation of what may change at once: a chip that warms up or is hit, another range of its rates,
-// buffers that are late, a holder that slips.
+// Standard deviation of what may change at once: a chip that warms up or is hit, another range of its rates
+// or an axis that is mirrored, buffers that are late, a holder that slips; or all of it.
 GyroChange opened(GyroChangeKind kind) {
-  constexpr double kBias = rad(3), kScale = 0.1, kOffset = 0.05, kDrift = 1e-3, kMount = rad(10);
+  constexpr double kBias = rad(3), kScale = 1, kOffset = 0.05, kDrift = 1e-3, kMount = rad(10);
   GyroChange sigma = GyroChange::Zero();
-  if (kind == GyroChangeKind::kBias) sigma.segment<3>(kGyroBias).setConstant(kBias);
-  if (kind == GyroChangeKind::kScale) sigma.segment<3>(kGyroScale).setConstant(kScale);
-  if (kind == GyroChangeKind::kClock) sigma[kGyroOffset] = kOffset, sigma[kGyroDrift] = kDrift;
-  if (kind == GyroChangeKind::kMount) sigma.head<3>().setConstant(kMount);
+  const auto opens = [&](GyroChangeKind one) { return kind == one || kind == GyroChangeKind::kAll; };
+  if (opens(GyroChangeKind::kBias)) sigma.segment<3>(kGyroBias).setConstant(kBias);
+  if (opens(GyroChangeKind::kScale)) sigma.segment<3>(kGyroScale).setConstant(kScale);
+  if (opens(GyroChangeKind::kClock)) sigma[kGyroOffset] = kOffset, sigma[kGyroDrift] = kDrift;
+  if (opens(GyroChangeKind::kMount)) sigma.head<3>().setConstant(kMount);
   return sigma;
 }
 
@@ -46,6 +48,9 @@ struct Likelihood {
   double known, broken;
 };
 
+// log(e^a + e^b)
+double log_sum(double a, double b) { return std::max(a, b) + std::log1p(std::exp(-std::abs(a - b))); }
+
 // The update by a rotation; nothing where samples are missing.
 std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& seen, double factor,
                                  GyroModel* model) {
@@ -58,22 +63,21 @@ std::optional<Likelihood> update(const GyroIntegrator& gyro, const SeenTurn& see
   const Eigen::Matrix3d information = S.inverse();
   const double square = beyond.dot(information * beyond), spread = std::log(S.determinant());
   if (!std::isfinite(square + spread)) return std::nullopt;
+  const double other = kOtherRate * (seen.end - seen.begin);
+  const Eigen::Matrix3d wide = S + other * other * Eigen::Matrix3d::Identity();
+  const double broken = -0.5 * beyond.dot(wide.inverse() * beyond) - 0.5 * std::log(wide.determinant());
+  // An image that is wrong is off a little more often than the rest, or as far as a gyro that is broken.
   const double inlier = std::log(1 - kOutliers) - 0.5 * square,
-               outlier =
-                   std::log(kOutliers) - 0.5 * square / kOutlierVariance - 1.5 * std::log(kOutlierVariance),
-               most = std::max(inlier, outlier),
-               both = most + std::log(std::exp(inlier - most) + std::exp(outlier - most)),
-               weight = std::exp(inlier - both);
+               near = -0.5 * square / kOutlierVariance - 1.5 * std::log(kOutlierVariance),
+               outlier = std::log(kOutliers / 2) + log_sum(near, broken + 0.5 * spread),
+               both = log_sum(inlier, outlier), weight = std::exp(inlier - both);
   const Eigen::Matrix<double, kGyroUnknowns, 3> K = P * J.transpose() * information;
   const GyroChange step = K * beyond;
   model->move(weight * step);
   // Of the mixture of both: with the update, and without.
   P += weight * (1 - weight) * step * step.transpose() - weight * K * J * P;
   P = (0.5 * (P + P.transpose())).eval();
-  const double other = kOtherRate * (seen.end - seen.begin);
-  const Eigen::Matrix3d wide = S + other * other * Eigen::Matrix3d::Identity();
-  return Likelihood{both - 0.5 * spread,
-                    -0.5 * beyond.dot(wide.inverse() * beyond) - 0.5 * std::log(wide.determinant())};
+  return Likelihood{both - 0.5 * spread, broken};
 }
 
 }  // namespace
@@ -89,7 +93,7 @@ void GyroFilter::begin_rivals(const SeenTurn& seen) {
     r.model = r.before = nominal_;
     r.model.covariance.diagonal() += opened(r.kind).cwiseAbs2();
     r.since_s = seen.begin;
-    r.log_odds = r.first_log_odds = change_now;
+    r.log_odds = r.first_log_odds = (r.kind == GyroChangeKind::kAll ? 2 : 1) * change_now;
   }
 }
 
@@ -130,6 +134,8 @@ std::optional<FoundGyroChange> GyroFilter::see(const GyroIntegrator& gyro, const
   mix();
   return found;
 }
+
+double GyroFilter::variance_of_rate() const { return broken_ * kOtherRate * kOtherRate; }
 
 // `log_ratio`: of the likelihood of a gyro that turns with the camera to that of one that does not.
 void GyroFilter::weigh_broken(double dt, double log_ratio) {
@@ -172,17 +178,27 @@ std::string describe(const FoundGyroChange& change) {
     return "(" + fixed(v.x() * unit, decimals) + ", " + fixed(v.y() * unit, decimals) + ", " +
            fixed(v.z() * unit, decimals) + ")";
   };
+  const Eigen::Vector3d scale = change.by.segment<3>(kGyroScale);
+  const std::string bias = "its bias has changed by " + three(change.by.segment<3>(kGyroBias), deg(1), 2) +
+                           " degrees/s",
+                    scales = (scale.minCoeff() < -1 ? "an axis is mirrored: " : "") +
+                             ("its scales have changed by " + three(scale, 100, 0)) + " %",
+                    clock = "its clock has jumped by " + fixed(1e3 * change.by[kGyroOffset], 1) + " ms",
+                    mount = "it has turned by " + three(change.by.head<3>(), deg(1), 1) +
+                            " degrees against the camera";
   switch (change.kind) {
     case GyroChangeKind::kBias:
-      return "its bias has changed by " + three(change.by.segment<3>(kGyroBias), deg(1), 2) + " degrees/s";
+      return bias;
     case GyroChangeKind::kScale:
-      return "its scales have changed by " + three(change.by.segment<3>(kGyroScale), 100, 0) + " %";
+      return scales;
     case GyroChangeKind::kClock:
-      return "its clock has jumped by " + fixed(1e3 * change.by[kGyroOffset], 1) + " ms";
+      return clock;
     case GyroChangeKind::kMount:
+      return mount;
+    case GyroChangeKind::kAll:
       break;
   }
-  return "it has turned by " + three(change.by.head<3>(), deg(1), 1) + " degrees against the camera";
+  return scales + ", " + mount;
 }
 
 }  // namespace edgevo

@@ -76,7 +76,7 @@ std::string describe_rates(const GyroModel& model) {
   bool is_off = false;
   for (int i = 0; i < 3; ++i) is_off = is_off || std::abs(s[i]) > kSigmas * sigma(kGyroScale + i);
   char text[160];
-  std::string found;
+  std::string found = model.is_mirrored() ? ", an axis is mirrored" : "";
   if (is_off) {
     std::snprintf(text, sizeof text, ", scales off by (%.1f, %.1f, %.1f) %%", 100 * s.x(), 100 * s.y(),
                   100 * s.z());

@@ -187,17 +187,16 @@ struct Bootstrap::Impl {
     const double needed = params.min_disparity * pinhole.width;
     if (disparity < needed) return no_views(ReasonKind::kLittleMotion, disparity, needed);
     straighten();
-    const std::vector<TwoViewMotion> motions = possible_motions();
-    if (motions.empty()) return no_views(ReasonKind::kNoMotionFits);
-    const Choice choice = choose(motions);
-    const int agreeing = cv::countNonZero(choice.best.inliers);
+    const std::optional<Choice> choice = choose(possible_motions());
+    if (!choice) return no_views(ReasonKind::kNoMotionFits);
+    const int agreeing = cv::countNonZero(choice->best.inliers);
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
     if (too_few) return no_views(ReasonKind::kFewAgree, agreeing / double(first.size()), kMinInlierShare);
-    if (choice.is_ambiguous) return no_views(ReasonKind::kTwoMotionsFit);
-    BootstrapStatus status = build_result(choice.best.T_last_first, choice.best.inliers);
+    if (choice->is_ambiguous) return no_views(ReasonKind::kTwoMotionsFit);
+    BootstrapStatus status = build_result(choice->best.T_last_first, choice->best.inliers);
     if (status.result)
-      status.result->why = choice.why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);
+      status.result->why = choice->why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);
     return status;
   }
 
@@ -241,18 +240,19 @@ struct Bootstrap::Impl {
     double error_px = 0;
   };
 
-  // With the known turn, unless the images refute it: whoever measured it may be wrong.
-  Choice choose(std::vector<TwoViewMotion> motions) {
-    const auto best_of = [&](const TurnOfViews* turn) {
+  // With the known turn, unless the images refute it: whoever measured it may be wrong. Nothing: none fits.
+  std::optional<Choice> choose(std::vector<TwoViewMotion> motions) {
+    const auto best_of = [&](const TurnOfViews* turn) -> std::optional<Choice> {
+      if (motions.empty()) return std::nullopt;
       return views.size() > 2 ? choose_by_views(motions, turn) : choose_by_error(motions);
     };
-    const Choice by_images = best_of(nullptr);
+    const std::optional<Choice> by_images = best_of(nullptr);
     const std::optional<TurnOfViews> turn = known_turn();
     if (turn) keep_to_turn(*turn, &motions);
     if (!turn || motions.empty()) return by_images;
     const auto chosen_by_images = chosen_before;
-    Choice with_turn = best_of(&*turn);
-    const bool is_refuted = with_turn.error_px > kRefuted * by_images.error_px;
+    std::optional<Choice> with_turn = best_of(&*turn);
+    const bool is_refuted = by_images && with_turn->error_px > kRefuted * by_images->error_px;
     if (is_refuted) chosen_before = chosen_by_images;
     return is_refuted ? by_images : with_turn;
   }

@@ -157,8 +157,8 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose, const
 
 // ---- tracking in a map ----
 
-void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
-  Track track = front_end.find_pose(now, !state.has_pose());
+void Odometry::Impl::follow_map(ArrivedFrame now, bool is_replayed) {
+  Track track = front_end.find_pose(&now, !state.has_pose());
   if (track.moving_objects > 0) report(now.frame, "a body moves by itself: no edges are taken from it");
   if (track.is_zero_velocity && !at_zero_velocity)
     report(now.frame, "the camera stands, its view is hidden: the pose is held");
@@ -170,7 +170,6 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
     history.interrupt();
-    turn_by_gyro.interrupt();
     integrity.add_lost();
     keep_views_before();
     return;
@@ -227,17 +226,14 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
-  const FrameConfidence found = confidence.add(
-      {record->evidence, history.newest(),
-       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map),
-       turn_by_gyro.add(record->time, newest_pose.T_cam_map->rotation(),
-                        [&](Timestamp a, Timestamp b) { return front_end.gyro().turn(a, b); })});
+  const FrameConfidence found =
+      confidence.add({record->evidence, history.newest(),
+                      frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
-  doubted_by_images = record->state == TrackingState::kLost || found.p_right_by_images < kDoubtfulBelow;
-  if (!doubted_by_images) front_end.confirm_turn();
+  if (!is_map_in_doubt(*record)) front_end.confirm_turn();
 }
 
 // ---- doubt ----
@@ -245,7 +241,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord*
 void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found =
-      integrity.add(now.frame.index, view, doubted_by_images || unit_sigma > kUnitKnown);
+      integrity.add(now.frame.index, view, is_map_in_doubt(*now.record) || unit_sigma > kUnitKnown);
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {

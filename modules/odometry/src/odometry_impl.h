@@ -50,7 +50,7 @@ struct Odometry::Impl {
 
   // ---- tracking in a map ----
   // `is_replayed`: it was answered before, and its record is a copy.
-  void follow_map(const ArrivedFrame& now, bool is_replayed = false);
+  void follow_map(ArrivedFrame now, bool is_replayed = false);
   void update_coverage_and_features(const ArrivedFrame& now, const SE3& T_cur_ref);
   // In this thread: the pose waits for its evidence, which takes less time than handing it over.
   void track_features(const ArrivedFrame& now, const std::optional<SE3>& T_cur_last,
@@ -116,9 +116,7 @@ struct Odometry::Impl {
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;
-  TurnByGyro turn_by_gyro;
-  double unit_sigma = 0;           // FrameConfidence::unit_sigma of the newest frame
-  bool doubted_by_images = false;  // as is_map_in_doubt(), without the gyro: it may be wrong
+  double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
   IntegrityMonitor integrity;
   ScaleComparisons scales;
   FrontEnd front_end;

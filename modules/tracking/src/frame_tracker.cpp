@@ -98,8 +98,6 @@ double explained_share(const Pinhole& pinhole, const std::vector<CornerPair>& co
 PoseCandidate hold_to_corners(const TrackingTask& task, const PoseCandidate& by_edges, const Track& track,
                               const SupportScorer& scorer) {
   constexpr double kMinExplained = 0.9;
-  // Of a length that changes at once, relative to constant speed: a bent map supports any.
-  constexpr double kUnusualLikelihood = 0.85;
   if (!track.T_by_corners || scorer.is_lost(by_edges)) return by_edges;
   if (explained_share(pinhole_of(task), track.corners, by_edges.T_cur_ref) >= kMinExplained) return by_edges;
   const auto of_length = [&](PoseHypothesis::Refinement refinement) {
@@ -108,6 +106,7 @@ PoseCandidate hold_to_corners(const TrackingTask& task, const PoseCandidate& by_
   };
   const PoseCandidate held = of_length(PoseHypothesis::Refinement::kNearLength);
   const PoseCandidate other = of_length(PoseHypothesis::Refinement::kLength);
+  // A bent map supports any length.
   const bool is_other = kUnusualLikelihood * scorer.score(other) > scorer.score(held);
   if (scorer.is_lost(is_other ? other : held)) return by_edges;
   return is_other ? other : held;

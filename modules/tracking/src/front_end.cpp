@@ -71,7 +71,7 @@ std::optional<CameraTurn> FrontEnd::heading() const {
 
 std::optional<RotationPrior> FrontEnd::turn_since_reference(Timestamp time) const {
   const std::optional<CameraTurn> turn = gyro_.turn(reference_->time, time);
-  if (!turn) return std::nullopt;
+  if (!turn || !motion_.knows_rotation()) return std::nullopt;
   return RotationPrior{turn->R, turn->covariance.inverse()};
 }
 
@@ -113,18 +113,18 @@ ImageMotion FrontEnd::expected_motion(bool has_pose) const {
   return expected;
 }
 
-Track FrontEnd::find_pose(const ArrivedFrame& now, bool was_lost) {
+Track FrontEnd::find_pose(ArrivedFrame* now, bool was_lost) {
   const TraceScope traced(name_of(Stage::kAlignment));
   const double start = thread_cpu_ms();
   Track track = track_scene(now, was_lost);
-  FrameRecord& record = *now.record;
+  FrameRecord& record = *now->record;
   record.stage_ms.emplace_back(name_of(Stage::kAlignment), thread_cpu_ms() - start - track.corner_ms);
   if (track.corner_ms > 0) record.stage_ms.emplace_back(name_of(Stage::kCorners), track.corner_ms);
   add_pose(track.result, *reference_, &record.evidence);
   record.evidence.step_sigmas = track.step_sigmas;
   if (!is_lost(classify(record.evidence, params_.status)))
     track.result.correlated_px2 = correlated_residual_.add(track.result.smooth);
-  record.evidence.stands = stationary_.stands(now.still, now.pyramid->finest().pinhole, reference_->cloud,
+  record.evidence.stands = stationary_.stands(now->still, now->pyramid->finest().pinhole, reference_->cloud,
                                               track.result.T_cur_ref, history_->typical_step());
   return track;
 }
@@ -144,25 +144,52 @@ TrackingTask FrontEnd::task(const ArrivedFrame& now, const Reference& scene, boo
 }
 
 // Without what moves by itself; again, if something is found to.
-Track FrontEnd::track_scene(const ArrivedFrame& now, bool was_lost) {
+Track FrontEnd::track_scene(ArrivedFrame* now, bool was_lost) {
   const auto scene_at = [&](const SE3& T_cur_ref) {
-    return in_own_rows(bodies_.without(reference_, builder_.pinhole(), T_cur_ref), *now.pyramid, T_cur_ref);
+    return in_own_rows(bodies_.without(reference_, builder_.pinhole(), T_cur_ref), *now->pyramid, T_cur_ref);
   };
-  const auto track = [&](const Reference& scene) { return track_frame(task(now, scene, was_lost)); };
-  bodies_.follow(*now.pyramid);
+  const auto track = [&](const Reference& scene) { return track_frame(task(*now, scene, was_lost)); };
+  bodies_.follow(*now->pyramid);
   std::shared_ptr<const Reference> scene = scene_at(motion_.predict());
   Track found = track(*scene);
-  if (bodies_.look(*now.pyramid, *scene, found.result.T_cur_ref, params_.alignment)) {
+  doubt_gyro(*scene, was_lost, now, &found);
+  if (bodies_.look(*now->pyramid, *scene, found.result.T_cur_ref, params_.alignment)) {
     const double corner_ms = found.corner_ms;
     scene = scene_at(found.result.T_cur_ref);
     found = track(*scene);
     found.corner_ms += corner_ms;
   }
   found.scene = scene;
-  update_zero_velocity(now, was_lost, &found);
+  update_zero_velocity(*now, was_lost, &found);
   found.moving_objects =
       bodies_.evaluate(builder_.pinhole(), motion_to(found.result.T_cur_ref), reference_->median_idepth);
   return found;
+}
+
+// A frame that turns otherwise than the gyro says is seen again without it, its rows too, and what the image
+// supports better counts. Else a gyro that is wrong bends rows, pose and map, and no image contradicts it.
+void FrontEnd::doubt_gyro(const Reference& scene, bool was_lost, ArrivedFrame* now, Track* found) {
+  const std::optional<RotationPrior> turn = turn_since_reference(now->frame.time);
+  const SupportScorer scorer(params_.status);
+  const RotationByImage& seen = found->by_image;
+  if (!turn || was_lost) return;
+  if (scorer.fits(found->result) && !turn->is_far_off(seen.R_cur_ref, seen.covariance)) return;
+  const MotionModel with_gyro = motion_;
+  motion_.know_rotation(std::nullopt);
+  ArrivedFrame again = *now;
+  again.rows.expected = expected_motion(true);
+  if (again.rows.is_rolling()) again.pyramid = builder_.rebuild(*now->pyramid, again.rows.expected);
+  Track by_image = track_frame(task(again, scene, was_lost));
+  const double corner_ms = found->corner_ms + by_image.corner_ms;
+  if (scorer.score(by_image.result) > scorer.score(found->result)) {
+    *found = std::move(by_image);
+    if (newest_pyramid_ == now->pyramid) newest_pyramid_ = again.pyramid;
+    now->pyramid = again.pyramid;
+    now->rows = again.rows;
+  } else {
+    motion_ = with_gyro;
+  }
+  found->corner_ms = corner_ms;
 }
 
 // The pose of before, where something hides so much of the view that no pose is supported.

@@ -18,9 +18,6 @@ constexpr double kUnusualSigmas = 5;
 constexpr double kMinFlowPx = 2;
 // Sigmas around the median step in which the pose is searched.
 constexpr double kNearSigmas = 3;
-// Likelihood of an unusual step relative to the median step: if the image shows the unusual one, the median
-// step has less than 0.82 of its support (driving, and by hand).
-constexpr double kUnusualLikelihood = 0.85;
 
 bool is_moving(const MedianMotion::Step& step) {
   return step.translation.norm() > kMovingSigmas * step.sigma.norm();

@@ -40,5 +40,19 @@ TEST(EdgeAlignment, APointOutOfViewCostsHalfAMiss) {
               0.05 * none_in_view);
 }
 
+// A rotation of the image is far off only beyond what it and the prior do not know.
+TEST(RotationPrior, WhatIsFarOffDependsOnBothCovariances) {
+  const double sigma = 0.002;
+  const RotationPrior prior{Eigen::Quaterniond::Identity(), Eigen::Matrix3d::Identity() / (sigma * sigma)};
+  const auto far_off = [&](double angle, double image_sigma) {
+    return prior.is_far_off(Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY())),
+                            image_sigma * image_sigma * Eigen::Matrix3d::Identity());
+  };
+  EXPECT_FALSE(far_off(4 * sigma, 0));
+  EXPECT_TRUE(far_off(8 * sigma, 0));
+  EXPECT_FALSE(far_off(8 * sigma, 2 * sigma));
+  EXPECT_TRUE(far_off(16 * sigma, 2 * sigma));
+}
+
 }  // namespace
 }  // namespace edgevo

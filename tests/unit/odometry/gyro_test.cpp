@@ -120,5 +120,17 @@ TEST(Gyro, OneThatDoesNotTurnWithTheCameraIsNamedAndDoesNoHarm) {
   EXPECT_EQ(error_of(by_stuck.run), without);
 }
 
+// It was believed until then: the images must go on showing that it is wrong.
+TEST(Gyro, OneThatIsMirroredAmidTheRunIsNamedAndDoesNoHarm) {
+  const double without = error_of(run_hand(SimulatedGyro()).run);
+  Conditions mirrored;
+  mirrored.change = [](GyroSample* s) {
+    if (s->time.seconds() > kStep * 55) s->rate.x() *= -1;
+  };
+  const HandRun hand = run_hand(phone(), mirrored);
+  EXPECT_THAT(hand.gyro.statement, HasSubstr("mirrored"));
+  EXPECT_LT(error_of(hand.run), 2 * without);  // four images: the first are taken for outliers
+}
+
 }  // namespace
 }  // namespace edgevo::test

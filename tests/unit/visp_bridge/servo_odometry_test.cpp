@@ -9,6 +9,8 @@
 #include <thread>
 
 #include "edgevo/core/angle.h"
+#include "edgevo/core/rotation_vector.h"
+#include "edgevo/gyro/gyro_model.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/places/place_memory.h"
 #include "edgevo/simulation/scene_renderer.h"
@@ -59,6 +61,50 @@ TEST(ServoOdometry, FeedsTheResultsOfTheOdometry) {
   EXPECT_GE(posed, 5);
   EXPECT_EQ(odometry.replaced(), 0);
   EXPECT_EQ(odometry.finish().frames.size(), 14u);
+}
+
+// A gyro whose axes are those of the camera, as it turns from each image of the desk to the next.
+std::vector<GyroSample> gyro_of_desk(int frames, double interval_s) {
+  constexpr int kPerFrame = 10;
+  std::vector<GyroSample> samples;
+  for (int i = 0; i < kPerFrame * frames; ++i) {
+    const SE3 T = desk().T_world_cam(2 * (i / kPerFrame)),
+              T_next = desk().T_world_cam(2 * (i / kPerFrame) + 2);
+    const Eigen::Vector3d turn = rotation_vector(T.rotation().conjugate() * T_next.rotation());
+    samples.push_back({Timestamp::from_seconds((i + 0.5) * interval_s / kPerFrame), turn / interval_s});
+  }
+  return samples;
+}
+
+TEST(ServoOdometry, TakesAGyroAsTheOdometryDoes) {
+  constexpr int kImages = 14;
+  constexpr double kInterval = 1 / 15.0;
+  OdometryOptions options;
+  auto known = std::make_shared<GyroModel>(gyro_before_use());
+  known->covariance *= 1e-4;
+  options.gyro = known;
+  Odometry expected(desk().camera(), servo_odometry_params(), options),
+      without(desk().camera(), servo_odometry_params(), {});
+  ServoFeed feed;
+  ServoOdometry odometry(desk().camera(), servo_odometry_params(), options, &feed);
+  const std::vector<GyroSample> samples = gyro_of_desk(kImages, kInterval);
+  size_t next = 0;
+  double apart = 0;  // of the poses with it and without
+  for (int i = 0; i < kImages; ++i) {
+    const Timestamp time = Timestamp::from_seconds(i * kInterval);
+    for (; next < samples.size() && seconds_between(time, samples[next].time) < kInterval; ++next)
+      odometry.push_gyro(samples[next]), expected.add_gyro(samples[next]);
+    const GrayImage image = desk().render_image(2 * i);
+    odometry.push(to_visp(image.view()), time);
+    ASSERT_TRUE(wait_for(feed, i));
+    const FrameRecord record = expected.process({i, time, image}), other = without.process({i, time, image});
+    const ServoPose pose = feed.pose(time);
+    ASSERT_EQ(pose.usable, record.T_world_cam_live.has_value());
+    if (!pose.usable) continue;
+    EXPECT_LT((to_se3(pose.cMw).matrix() - record.T_world_cam_live->inverse().matrix()).norm(), 1e-12);
+    if (other.T_world_cam_live) apart += (record.covariance - other.covariance).norm();
+  }
+  EXPECT_GT(apart, 0);
 }
 
 constexpr int kFrames = 60;

@@ -55,6 +55,8 @@ struct RotationPrior {
   Eigen::Matrix3d weight(const SE3& T_cur_ref) const;
   /// Its covariance as a measurement at a pose, rad^2: larger where it is far off.
   Eigen::Matrix3d covariance(const SE3& T_cur_ref) const;
+  /// Whether a rotation that was measured without it, with the covariance of w, is far off.
+  bool is_far_off(const Eigen::Quaterniond& R_cur_ref, const Eigen::Matrix3d& covariance) const;
   /// Its cost at a pose, px^2.
   double cost(const SE3& T_cur_ref) const;
 };

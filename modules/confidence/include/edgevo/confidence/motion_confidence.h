@@ -14,7 +14,6 @@
 #include <limits>
 
 #include "edgevo/confidence/status_params.h"
-#include "edgevo/confidence/turn_by_gyro.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/motion_history.h"
 #include "edgevo/core/motion_tolerance.h"
@@ -57,8 +56,6 @@ struct ConfidenceInput {
   /// The step over the usual one as the run reports it (MotionHistory::reported_ratio): a unit that is set
   /// back, or that of a new segment, changes it. NaN: not known.
   double times_usual_live = std::numeric_limits<double>::quiet_NaN();
-  /// Its turn over ten frames against that of a gyro.
-  TurnDifference by_gyro = {};
 };
 
 /// Confidence in a frame.
@@ -72,9 +69,6 @@ struct FrameConfidence {
   /// Standard deviation of the logarithm of the unit of length that the map has carried over the last fifty
   /// frames, and the probability that it is off by more than the tolerance of a length.
   double unit_sigma = 0, p_wrong_unit = 0;
-  /// Probability that the turn is wrong, by a gyro, and `p_right` without it: what a gyro contradicts is
-  /// still to be shown to it, since the gyro may be wrong.
-  double p_wrong_turn = 0, p_right_by_images = 0;
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
   /// Whether the step is longer than StepGateParams::times the median of the 50 before, in the unit of the

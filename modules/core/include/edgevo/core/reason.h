@@ -88,11 +88,9 @@ enum class ReasonKind : uint8_t {
   /// Standard deviation of the unit of length that the map has carried over the last fifty frames, as a
   /// share.
   kUnitCarried,
-  /// Difference of the rotation over ten frames to that of the gyro, degrees.
-  kRotationByGyro,
 };
 /// The last kind.
-inline constexpr ReasonKind kLastReasonKind = ReasonKind::kRotationByGyro;
+inline constexpr ReasonKind kLastReasonKind = ReasonKind::kUnitCarried;
 
 /// A reason; a number that its kind does not have is NaN.
 struct Reason {

@@ -47,6 +47,8 @@ struct GyroModel {
   double rotation_sigma() const;
   /// Whether all three angles of the rotation are known, to kObserved: the camera has turned about two axes.
   bool is_observed() const;
+  /// Whether its axes are left-handed: the scale of one, or of all, is negative.
+  bool is_mirrored() const { return (Eigen::Vector3d::Ones() + errors.scale).prod() < 0; }
   /// The offset at a time, seconds.
   double offset_at(double t) const { return offset_s + drift * (t - at_s); }
   /// Adds a change of the unknowns.

@@ -76,8 +76,9 @@ class FrontEnd {
   /// pose. Leaves `record` null. Throws InputError for an image of another size.
   /// `exposure`: what its pixels show of its exposure.
   ArrivedFrame find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure = {});
-  /// Finds the pose of a frame against the reference. Writes times and evidence to its record.
-  Track find_pose(const ArrivedFrame& now, bool was_lost);
+  /// Finds the pose of a frame against the reference. Writes times and evidence to its record; straightens
+  /// its rows again if the gyro by which that was done is contradicted.
+  Track find_pose(ArrivedFrame* now, bool was_lost);
   /// Motion from the last frame with a pose to one at T_cur_ref.
   SE3 motion_to(const SE3& T_cur_ref) const { return motion_.motion_to(T_cur_ref); }
   /// Why the step to a pose is not believed, whatever its support; nothing where it is.
@@ -141,7 +142,8 @@ class FrontEnd {
   void see_turn(const ArrivedFrame& now, const Track& track);
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
   TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
-  Track track_scene(const ArrivedFrame& now, bool was_lost);
+  Track track_scene(ArrivedFrame* now, bool was_lost);
+  void doubt_gyro(const Reference& scene, bool was_lost, ArrivedFrame* now, Track* found);
   void update_zero_velocity(const ArrivedFrame& now, bool was_lost, Track* found);
   void follow(const ArrivedFrame& now, const Track& track);
   void rectify_keyframe(const ArrivedFrame& now, const Vector6d& twist, TrackedFrame* tracked);

@@ -15,6 +15,10 @@
 
 namespace edgevo {
 
+/// Likelihood of an unusual motion relative to the usual one: if the image shows the unusual one, the usual
+/// has less than 0.82 of its support (driving, and by hand).
+constexpr double kUnusualLikelihood = 0.85;
+
 /// Largest difference, over the camera's axes, between the translation to `T_cur_ref` since the frame before
 /// and the median step `usual`, in standard deviations of single frames. NaN over a gap, and until `usual`
 /// and a spread are known.

@@ -51,6 +51,8 @@ class MotionModel {
   void begin_frame(Timestamp time);
   /// What another sensor says of the rotation, after begin_frame(); nothing: constant velocity gives it.
   void know_rotation(const std::optional<KnownRotation>& known) { known_ = known; }
+  /// Whether another sensor says something of it.
+  bool knows_rotation() const { return known_.has_value(); }
   /// Adopts a frame's pose; after a gap the velocity is the mean over the gap.
   void follow(const SE3& T_cur_ref);
   /// Starts over with a new map whose reference is the frame. `motion` is the motion since the frame before;
