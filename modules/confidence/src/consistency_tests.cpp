@@ -74,6 +74,11 @@ double probability_of_wrong_focal_length(double focal_error, double sigma, doubl
   return std::isfinite(p) ? p : 0;
 }
 
+double probability_of_wrong_zoom(double feigned_depths, double sigma, double length_depths) {
+  const double p = probability_beyond(feigned_depths, sigma, translation_tolerance(length_depths));
+  return std::isfinite(p) ? p : 0;
+}
+
 double probability_of_wrong_turn(double difference_deg, double sigma_deg) {
   // Standard deviation of turns as reported: one in a hundred is off by more than the tolerance.
   constexpr double kUsual = kMotionTolerance.rotation_deg / 2.58;

@@ -68,11 +68,15 @@ Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {
   return {ReasonKind::kMapMoved, e.moved_by_map};
 }
 
-Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e, const TurnDifference& by_gyro) {
-  if (trust.p_wrong_turn > std::max(trust.p_wrong_unit, trust.p_wrong_focal_length) &&
-      trust.p_wrong_turn > 1 - p_right(trust.doubts))
-    return {ReasonKind::kRotationByGyro, by_gyro.angle_deg};
+Reason reason_for_doubt(const FrameConfidence& trust, const ConfidenceInput& frame) {
+  const FrameEvidence& e = frame.evidence;
+  const double p_wrong_otherwise =
+      std::max({trust.p_wrong_unit, trust.p_wrong_focal_length, trust.p_wrong_zoom});
+  if (trust.p_wrong_turn > p_wrong_otherwise && trust.p_wrong_turn > 1 - p_right(trust.doubts))
+    return {ReasonKind::kRotationByGyro, frame.by_gyro.angle_deg};
   if (p_right(trust.doubts) < kDoubtfulBelow) return reason_of(largest_contribution(trust.doubts), e);
+  if (trust.p_wrong_zoom == p_wrong_otherwise)
+    return {ReasonKind::kFocalLength, std::abs(frame.by_zoom.zoom), double(kMotionTolerance.frames)};
   if (trust.p_wrong_unit > trust.p_wrong_focal_length) return {ReasonKind::kUnitCarried, trust.unit_sigma};
   return {ReasonKind::kFocalLength, e.focal_error};
 }
@@ -113,11 +117,13 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
   trust.unit_sigma = carried_unit_sigma();
   trust.p_wrong_unit = probability_beyond(0, trust.unit_sigma, kMotionTolerance.share_of_length);
+  trust.p_wrong_zoom = probability_of_wrong_zoom(frame.by_zoom.depths, frame.by_zoom.sigma, length);
   trust.p_wrong_turn = probability_of_wrong_turn(frame.by_gyro.angle_deg, frame.by_gyro.sigma_deg);
   trust.p_right_by_images =
-      edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) * (1 - trust.p_wrong_unit));
+      edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) * (1 - trust.p_wrong_unit) *
+                                            (1 - trust.p_wrong_zoom));
   trust.p_right = trust.p_right_by_images * (1 - trust.p_wrong_turn);
-  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, e, frame.by_gyro)};
+  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, frame)};
   // No camera makes such a step, whatever else is as usual.
   if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
       times > params_.step.times) {

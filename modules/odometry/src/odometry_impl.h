@@ -57,7 +57,7 @@ struct Odometry::Impl {
   void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
   // tracked as any other; what it means for the map: watch_integrity().
-  void assign_confidence(const FrameStatus& by_image, FrameRecord* record);
+  void assign_confidence(const FrameStatus& by_image, const ImageZoom& zoom, FrameRecord* record);
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
@@ -114,6 +114,7 @@ struct Odometry::Impl {
   MapCursor adjustments;
   MotionConfidence confidence;
   TurnByGyro turn_by_gyro;
+  ZoomChange zoom_change;
   double unit_sigma = 0;           // FrameConfidence::unit_sigma of the newest frame
   bool doubted_by_images = false;  // as is_map_in_doubt(), without the gyro: it may be wrong
   IntegrityMonitor integrity;

@@ -69,7 +69,8 @@ Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult&
     begin_segment(now, bootstrapper.begin_segment(state.segment(), views, integrity.newest_before(), scale));
   if (problem.empty())
     replay.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
-  if (problem.empty()) integrity.begin_map(), confidence.begin_map(), turn_by_gyro.interrupt();
+  if (problem.empty())
+    integrity.begin_map(), confidence.begin_map(), turn_by_gyro.interrupt(), zoom_change.interrupt();
   return problem;
 }
 
@@ -130,7 +131,7 @@ void Odometry::Impl::begin_made_map() {
   front_end.begin_map(begun.reference, begun.motion, last.time);
   integrity.begin_map();
   confidence.begin_map();
-  turn_by_gyro.interrupt();
+  turn_by_gyro.interrupt(), zoom_change.interrupt();
   record_segment({last.frame_index, last.time, {}, {}}, begun);
   frames.publish();  // the newest frame may be one of the views, or late
 }
