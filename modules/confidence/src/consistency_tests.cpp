@@ -75,7 +75,9 @@ double probability_of_wrong_focal_length(double focal_error, double sigma, doubl
 }
 
 double probability_of_wrong_zoom(double feigned_depths, double sigma, double length_depths) {
-  const double p = probability_beyond(feigned_depths, sigma, translation_tolerance(length_depths));
+  const double tolerance = translation_tolerance(length_depths);
+  const double unsure = probability_beyond(0, sigma, tolerance);
+  const double p = (probability_beyond(feigned_depths, sigma, tolerance) - unsure) / (1 - unsure);
   return std::isfinite(p) ? p : 0;
 }
 

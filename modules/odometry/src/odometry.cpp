@@ -176,7 +176,8 @@ void Odometry::Impl::follow_map(const ArrivedFrame& now, bool is_replayed) {
   }
   if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
   record_pose(track.result, now.record, is_replayed);
-  const ImageZoom zoom = track.result.zoom;
+  ImageZoom zoom = track.result.zoom;
+  zoom.sigma *= std::sqrt(front_end.reference()->error_factor);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
   assign_confidence(status, zoom, now.record);
   if (focal) tracked.focal_length = focal->error();

@@ -250,6 +250,7 @@ TEST(MotionConfidence, AZoomThatFeignsTheMotionIsDoubtedAndNamed) {
   EXPECT_THAT(to_string(zoomed.reasons), HasSubstr("the images zoom by 5.0 % within 10 frames"));
   EXPECT_GT(trust_at(kStep, -0.05, 0.01).p_right, 0.95);
   EXPECT_GT(trust_at(kHand, 0.004, 0.008).p_right, kDoubtfulBelow) << "nothing that is certain";
+  EXPECT_GT(trust_at(kHand, 0.01, 0.08).p_right, 0.9) << "what is not known speaks against no motion";
 }
 
 TEST(MotionConfidence, EdgesThatLieOffTheMapAreInDoubtEvenIfTheyCountAsInliers) {
