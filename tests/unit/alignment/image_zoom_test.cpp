@@ -62,8 +62,9 @@ TEST(ImageZoom, IsNoneOfALensThatStaysAsItIs) {
 }
 
 TEST(ImageZoom, IsUncertainBeforeAWall) {
-  const ImageZoom found = found_at(0.03, 0.2, 0.1999, 1);
-  EXPECT_FALSE(found.sigma < 0.03) << "a step towards a wall enlarges all alike";
+  const ImageZoom found = found_at(0.03, 0.2, 0.199, 1);
+  EXPECT_GT(found.sigma, 0.03) << "a step towards a wall enlarges all alike";
+  EXPECT_TRUE(std::isnan(found_at(0.03, 0.2, 0.2, 1).share)) << "in every way";
 }
 
 TEST(ImageZoom, IsUnknownWithoutEquations) { EXPECT_TRUE(std::isnan(image_zoom({}, kHalfWidth, 1).share)); }
