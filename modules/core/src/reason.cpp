@@ -38,7 +38,8 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kCornersLost:
       return "only %.0f corners could be followed, %.0f needed";
     case ReasonKind::kLittleMotion:
-      return "median motion %.1f px, %.1f px needed: move the camera sideways or on";
+      return "median motion %.1f px, %.1f px needed: move the camera sideways or on, or take away what "
+             "stands still in its view";
     case ReasonKind::kTooLong:
       return "too little motion for too long";
     case ReasonKind::kNoMotionFits:
