@@ -47,13 +47,15 @@ TrackResult assess(const FramePyramid& current, const ReferenceCloud& cloud, con
                    const AlignmentParams& params) {
   TrackResult r;
   static_cast<PoseCandidate&>(r) = pose;
+  const double depth = median_depth(cloud);
   if (r.T_cur_ref.is_finite()) {
     const std::vector<PoseEquation> equations = pose_equations(current, cloud, r.T_cur_ref, params);
     r.covariance = pose_covariance(equations);
     r.smooth = correlated_residual(equations);
     r.correlated_px2 = r.smooth.variance_px2();
+    r.zoom = image_zoom(equations, 0.5 * current.finest().pinhole.width, depth);
   }
-  find_directions(median_depth(cloud), &r);
+  find_directions(depth, &r);
   return r;
 }
 

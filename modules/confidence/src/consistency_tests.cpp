@@ -11,16 +11,23 @@ namespace {
 
 constexpr double kMostCertain = 1e-3;
 
+// Cameras of two kinds: the share of the wrong ones, and the errors of both.
+struct Kinds {
+  double share_of_wrong, error_of_wrong, error_of_right;
+};
 // Of the camera files that people bring one in four has another focal length than the camera, by a fifth or
 // so; the others are right to a hundredth.
-constexpr double kWrongFiles = 0.25, kErrorOfWrong = 0.2, kErrorOfRight = 0.01;
+constexpr Kinds kFiles{0.25, 0.2, 0.01};
+// One lens in ten zooms or hunts for its focus, by 3 % or so; maps feign half a per cent.
+constexpr Kinds kLenses{0.1, 0.03, 0.005};
 
 double normal_density(double x, double sigma) { return std::exp(-0.5 * x * x / (sigma * sigma)) / sigma; }
 
-// Bayes: the file is one of the wrong ones, after an estimate of its error with this standard deviation.
-double probability_of_wrong_file(double focal_error, double sigma) {
-  const double wrong = kWrongFiles * normal_density(focal_error, std::hypot(sigma, kErrorOfWrong));
-  const double right = (1 - kWrongFiles) * normal_density(focal_error, std::hypot(sigma, kErrorOfRight));
+// Bayes: it is one of the wrong ones, after an estimate of its error with this standard deviation.
+double probability_of_wrong_kind(double error, double sigma, const Kinds& kinds) {
+  const double wrong = kinds.share_of_wrong * normal_density(error, std::hypot(sigma, kinds.error_of_wrong));
+  const double right =
+      (1 - kinds.share_of_wrong) * normal_density(error, std::hypot(sigma, kinds.error_of_right));
   return wrong / (wrong + right);
 }
 
@@ -69,8 +76,14 @@ double change_of_step(double recent, double usual, double median_depth, double s
 
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg) {
   const double turn = turn_deg / (1 + focal_error);  // in truth
-  const double p = probability_of_wrong_file(focal_error, sigma) *
+  const double p = probability_of_wrong_kind(focal_error, sigma, kFiles) *
                    probability_beyond(focal_error * turn, sigma * turn, kMotionTolerance.rotation_deg);
+  return std::isfinite(p) ? p : 0;
+}
+
+double probability_of_wrong_zoom(double feigned_depths, double sigma, double length_depths) {
+  const double p = probability_of_wrong_kind(feigned_depths, sigma, kLenses) *
+                   probability_beyond(feigned_depths, sigma, translation_tolerance(length_depths));
   return std::isfinite(p) ? p : 0;
 }
 

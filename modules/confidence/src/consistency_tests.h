@@ -38,4 +38,9 @@ double change_of_step(double recent, double usual, double median_depth,
 /// A vague estimate speaks against few files: most are right.
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg);
 
+/// Probability that a translation over ten frames of `length_depths` is wrong, since a lens that zooms has
+/// feigned one of `feigned_depths`, with that standard deviation, median depths. A vague estimate speaks
+/// against few lenses: most do not zoom. NaN: 0.
+double probability_of_wrong_zoom(double feigned_depths, double sigma, double length_depths);
+
 }  // namespace edgevo

@@ -68,8 +68,11 @@ Reason reason_of(ConsistencyTest doubt, const FrameEvidence& e) {
   return {ReasonKind::kMapMoved, e.moved_by_map};
 }
 
-Reason reason_for_doubt(const FrameConfidence& trust, const FrameEvidence& e) {
+Reason reason_for_doubt(const FrameConfidence& trust, const ConfidenceInput& frame) {
+  const FrameEvidence& e = frame.evidence;
   if (p_right(trust.doubts) < kDoubtfulBelow) return reason_of(largest_contribution(trust.doubts), e);
+  if (trust.p_wrong_zoom > std::max(trust.p_wrong_unit, trust.p_wrong_focal_length))
+    return {ReasonKind::kFocalLength, std::abs(frame.by_zoom.zoom), double(kMotionTolerance.frames)};
   if (trust.p_wrong_unit > trust.p_wrong_focal_length) return {ReasonKind::kUnitCarried, trust.unit_sigma};
   return {ReasonKind::kFocalLength, e.focal_error};
 }
@@ -110,9 +113,10 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
   trust.unit_sigma = carried_unit_sigma();
   trust.p_wrong_unit = probability_beyond(0, trust.unit_sigma, kMotionTolerance.share_of_length);
-  trust.p_right =
-      edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) * (1 - trust.p_wrong_unit));
-  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, e)};
+  trust.p_wrong_zoom = probability_of_wrong_zoom(frame.by_zoom.depths, frame.by_zoom.sigma, length);
+  trust.p_right = edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) *
+                                                        (1 - trust.p_wrong_unit) * (1 - trust.p_wrong_zoom));
+  if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, frame)};
   // No camera makes such a step, whatever else is as usual.
   if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
       times > params_.step.times) {

@@ -17,6 +17,13 @@ std::string scale_in_words(double ratio, double frames) {
 }
 
 // For printf: the first number is `value`, the second `other`.
+std::string zoom_in_words(const Reason& reason) {
+  char text[80];
+  std::snprintf(text, sizeof text, "the images zoom by %.1f %% within %.0f frames", 100 * reason.value,
+                reason.other);
+  return text;
+}
+
 const char* pattern_of(ReasonKind kind) {
   switch (kind) {
     case ReasonKind::kSkipped:
@@ -31,15 +38,19 @@ const char* pattern_of(ReasonKind kind) {
     case ReasonKind::kCornersLost:
       return "only %.0f corners could be followed, %.0f needed";
     case ReasonKind::kLittleMotion:
-      return "median motion %.1f px, %.1f px needed: move the camera sideways or on";
+      return "median motion %.1f px, %.1f px needed: move the camera sideways or on, or take away what "
+             "stands still in its view";
     case ReasonKind::kTooLong:
       return "too little motion for too long";
     case ReasonKind::kNoMotionFits:
       return "no essential matrix fits the corners";
     case ReasonKind::kFewAgree:
-      return "only %.0f %% of the corners agree on one motion, %.0f %% needed";
+      return "only %.0f %% of the corners agree on one motion, %.0f %% needed: much moves by itself, or "
+             "images are "
+             "blurred or blended";
     case ReasonKind::kTwoMotionsFit:
-      return "two different motions fit the corners equally well: more parallax needed";
+      return "two different motions fit the %.0f corners equally well: more parallax needed, or larger "
+             "images";
     case ReasonKind::kFewInFront:
       return "only %.0f corners lie in front of both views, %.0f needed";
     case ReasonKind::kLittleParallax:
@@ -103,6 +114,7 @@ bool is_share(ReasonKind kind) {
 std::string to_string(const Reason& reason) {
   constexpr double kMaxShown = 9999;  // of a step after a standstill of no step at all
   if (reason.kind == ReasonKind::kScaleByCorners) return scale_in_words(reason.value, reason.other);
+  if (reason.kind == ReasonKind::kFocalLength && reason.other > 0) return zoom_in_words(reason);
   const double unit = is_share(reason.kind) ? 100 : 1;
   const double value = reason.kind == ReasonKind::kStep ? std::min(reason.value, kMaxShown) : reason.value;
   char text[160];

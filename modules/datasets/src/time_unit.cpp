@@ -90,10 +90,12 @@ std::string shifted(const std::string& text, int digits) {
 // A step like the usual one, or with a dropped image or two.
 bool is_like(double step, double usual) { return step > 0.3 * usual && step < 3.5 * usual; }
 
-// Whether times[i], multiplied by `scale`, goes on from the two before it, and the time after it from that.
+// Whether times[i] goes on from the two before it only multiplied by `scale`, and the time after it from
+// that.
 bool goes_on(const std::vector<double>& times, size_t i, double scale) {
   const double before = times[i - 1], usual = before - times[i - 2], here = scale * times[i];
-  if (!(usual > 0) || !is_like(here - before, usual)) return false;
+  const bool as_it_is = is_like(times[i] - before, usual);  // near zero every unit does
+  if (!(usual > 0) || as_it_is || !is_like(here - before, usual)) return false;
   const double next = times[i + 1];
   return is_like(scale * next - here, usual) || is_like(next - here, usual);
 }

@@ -121,7 +121,7 @@ ImageRows ExposureCheck::rows_of(Earlier* earlier, const View& image) {
 }
 
 void ExposureCheck::keep(const std::vector<uint8_t>& pixels) {
-  before_[1].pixels.swap(before_[0].pixels);
+  for (size_t i = before_.size() - 1; i > 0; --i) before_[i].pixels.swap(before_[i - 1].pixels);
   before_[0].pixels = pixels;
 }
 
@@ -131,11 +131,12 @@ ImageExposure ExposureCheck::add(const GrayImage& image) {
   width_ = image.width, height_ = image.height;
   if (is_blank(image)) return {std::exchange(was_blank_, true) ? ImageFault::kNone : ImageFault::kBlank, {}};
   was_blank_ = false;
-  const ImageRows before = rows_of(&before_[0], view), before_that = rows_of(&before_[1], view);
+  std::array<ImageRows, kBuffers> old;
+  for (size_t i = 0; i < kBuffers; ++i) old[i] = rows_of(&before_[i], view);
   keep(image.pixels);
-  if (before.size() == image.height) return {ImageFault::kRepeated, {}};
-  const ImageRows& old = before.empty() ? before_that : before;
-  if (!old.empty() && old.size() < image.height) return {ImageFault::kTorn, old};
+  if (old[0].size() == image.height) return {ImageFault::kRepeated, {}};
+  const auto torn = std::find_if(old.begin(), old.end(), [](const ImageRows& rows) { return !rows.empty(); });
+  if (torn != old.end() && torn->size() < image.height) return {ImageFault::kTorn, *torn};
   if (pattern_ != ImageFault::kNone) return {pattern_, {}};
   const ImageFault found = pattern_of(view);
   if (found == newest_pattern_ && found != ImageFault::kNone) pattern_ = found;

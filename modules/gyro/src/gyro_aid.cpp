@@ -129,6 +129,12 @@ void GyroAid::take_fit(const GyroFit& fit) {
     std::snprintf(text, sizeof text, "not used: the images turn %.2f times as fast as its rates", fit.times);
     return report_once(text, &fault_);
   }
+  if (fit.kind == Kind::kOtherClock) {
+    char text[120];
+    std::snprintf(text, sizeof text, "not used: its clock is %.1f s %s that of the images: correct its times",
+                  std::abs(fit.offset_s), fit.offset_s > 0 ? "ahead of" : "behind");
+    return report_once(text, &fault_);
+  }
   if (fit.kind == Kind::kUnrelated)
     return report_once("not used: the images turn, and it does not turn with them", &fault_);
   filter_.emplace(fit.model);

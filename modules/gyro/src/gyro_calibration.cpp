@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "chi_square.h"
 #include "edgevo/core/order_statistics.h"
@@ -19,6 +20,8 @@ constexpr double kSure = 14;
 constexpr double kRarelyMirrored = 2.3;
 // Clocks that are further apart are not searched for; nor is the offset finer than a sample first.
 constexpr double kOffsetStepS = 0.01;
+// Seconds: how far another clock is looked for, to name it.
+constexpr double kOtherClockS = 10;
 // A logarithm: rates of a gyro are off by a few per cent, those of degrees by 4.
 constexpr double kSameRates = 0.2;
 constexpr double kHuberSigmas = 2.5;
@@ -72,14 +75,29 @@ Agreement agreement_at(const GyroIntegrator& gyro, const std::vector<SeenTurn>& 
   return a;
 }
 
-Agreement best_agreement(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns) {
+Agreement best_agreement(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns, double most) {
   Agreement best;
-  for (double offset = -kMostGyroOffsetS; offset <= kMostGyroOffsetS; offset += kOffsetStepS) {
+  for (double offset = -most; offset <= most; offset += kOffsetStepS) {
     const Agreement a = agreement_at(gyro, turns, offset);
     // Turns that an offset leaves without samples do not count against it.
     if (a.turns > 0 && 2 * a.turns >= best.turns && a.best() > best.best()) best = a;
   }
   return best;
+}
+
+// What the best of all offsets up to `most` has in its favour.
+double log_of_choices(double most) { return std::log(2 * most / kOffsetStepS); }
+
+// Whether a gyro that does not turn with the camera, or only somehow, turns as it does at another time.
+std::optional<GyroFit> other_clock(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns,
+                                   const Agreement& same_clock) {
+  const Agreement a = best_agreement(gyro, turns, kOtherClockS);
+  const double odds = log_odds(same_clock.best(), a.best(), a.turns) - log_of_choices(kOtherClockS);
+  if (odds < kSure || a.proper < a.mirrored || std::abs(std::log(a.times)) > kSameRates) return std::nullopt;
+  GyroFit fit;
+  fit.kind = GyroFit::Kind::kOtherClock;
+  fit.offset_s = a.offset;
+  return fit;
 }
 
 // Whether the images show more than their own noise.
@@ -155,13 +173,13 @@ GyroModel refine_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& t
   return model;
 }
 
-GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns) {
+namespace {
+
+GyroFit fit_same_clock(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns, const Agreement& a) {
   GyroFit fit;
-  const Agreement a = best_agreement(gyro, turns);
   if (a.turns < 3) return fit;
   fit.times = a.times;
-  const double chosen = std::log(2 * kMostGyroOffsetS / kOffsetStepS);  // the best of so many
-  if (log_odds(0, a.best(), a.turns) < kSure + chosen) {
+  if (log_odds(0, a.best(), a.turns) < kSure + log_of_choices(kMostGyroOffsetS)) {
     constexpr int kEnough = 150;  // turns: five seconds of a camera that turns
     if (a.turns >= kEnough && turns_enough(turns)) fit.kind = GyroFit::Kind::kUnrelated;
     return fit;
@@ -181,6 +199,15 @@ GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns)
   fit.kind = GyroFit::Kind::kRelated;
   fit.model = refine_gyro(gyro, turns, start);
   return fit;
+}
+
+}  // namespace
+
+GyroFit fit_gyro(const GyroIntegrator& gyro, const std::vector<SeenTurn>& turns) {
+  const Agreement a = best_agreement(gyro, turns, kMostGyroOffsetS);
+  const GyroFit fit = fit_same_clock(gyro, turns, a);
+  const bool is_wrong = fit.kind != GyroFit::Kind::kUnknown && fit.kind != GyroFit::Kind::kRelated;
+  return is_wrong ? other_clock(gyro, turns, a).value_or(fit) : fit;
 }
 
 }  // namespace edgevo

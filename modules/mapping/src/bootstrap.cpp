@@ -193,7 +193,7 @@ struct Bootstrap::Impl {
     const bool too_few = agreeing < kMinInlierShare * double(first.size());
     disagreeing = too_few ? disagreeing + 1 : 0;
     if (too_few) return no_views(ReasonKind::kFewAgree, agreeing / double(first.size()), kMinInlierShare);
-    if (choice->is_ambiguous) return no_views(ReasonKind::kTwoMotionsFit);
+    if (choice->is_ambiguous) return no_views(ReasonKind::kTwoMotionsFit, agreeing);
     BootstrapStatus status = build_result(choice->best.T_last_first, choice->best.inliers);
     if (status.result)
       status.result->why = choice->why + sentence(", parallax %.1f deg", status.result->parallax_deg, 0);

@@ -170,14 +170,17 @@ void Odometry::Impl::follow_map(ArrivedFrame now, bool is_replayed) {
   if (!state.has_pose()) {
     assign_status({TrackingState::kLost, status.reasons}, now.record);
     history.interrupt();
+    zoom_change.interrupt();
     integrity.add_lost();
     keep_views_before();
     return;
   }
   if (!is_replayed) update_coverage_and_features(now, track.result.T_cur_ref);
   record_pose(track.result, now.record, is_replayed);
+  ImageZoom zoom = track.result.zoom;
+  zoom.sigma *= std::sqrt(front_end.reference()->error_factor);
   TrackedFrame tracked = front_end.accept_pose(now, std::move(track), map.is_keyframe_pending());
-  assign_confidence(status, now.record);
+  assign_confidence(status, zoom, now.record);
   if (focal) tracked.focal_length = focal->error();
   watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
@@ -221,14 +224,15 @@ void Odometry::Impl::record_pose(const TrackResult& tracked, FrameRecord* record
   newest_pose.T_cam_map = tracked.T_cur_ref * reference.T_ref_world;
 }
 
-void Odometry::Impl::assign_confidence(const FrameStatus& by_image, FrameRecord* record) {
+void Odometry::Impl::assign_confidence(const FrameStatus& by_image, const ImageZoom& zoom,
+                                       FrameRecord* record) {
   for (const std::shared_ptr<const MapEvent>& event : adjustments.read())
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
-  const FrameConfidence found =
-      confidence.add({record->evidence, history.newest(),
-                      frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map)});
+  const FrameConfidence found = confidence.add(
+      {record->evidence, history.newest(),
+       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map), zoom_change.add(zoom)});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);

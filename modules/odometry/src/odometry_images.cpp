@@ -60,6 +60,7 @@ FrameRecord Odometry::Impl::skip(const Frame& frame, const std::string& why, Ima
   FrameRecord& record =
       fault == ImageFault::kRepeated ? frames.repeat_frame(without_image) : frames.begin_frame(without_image);
   history.interrupt();
+  zoom_change.interrupt();
   record.evidence.fault = fault;
   if (record.T_world_cam_live)
     record.note = why;

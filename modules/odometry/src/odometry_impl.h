@@ -58,7 +58,7 @@ struct Odometry::Impl {
   void record_pose(const TrackResult& tracked, FrameRecord* record, bool is_replayed);
   // The probability that the motion is right, and with it the state that is reported. A frame in doubt is
   // tracked as any other; what it means for the map: watch_integrity().
-  void assign_confidence(const FrameStatus& by_image, FrameRecord* record);
+  void assign_confidence(const FrameStatus& by_image, const ImageZoom& zoom, FrameRecord* record);
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
@@ -116,6 +116,7 @@ struct Odometry::Impl {
   FrameLog frames;
   MapCursor adjustments;
   MotionConfidence confidence;
+  ZoomChange zoom_change;
   double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
   IntegrityMonitor integrity;
   ScaleComparisons scales;

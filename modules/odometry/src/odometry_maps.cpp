@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/trace.h"
 #include "odometry_impl.h"
@@ -50,7 +51,7 @@ void Odometry::Impl::place_young_map(const ArrivedFrame& now) {
   const Reference& reference = *front_end.reference();
   if (reference.keyframe_id >= params.mapping.window.keyframes) options.locate = {};
   const bool is_known = keyframes_located.count(reference.keyframe_id) > 0;
-  if (!options.locate || concurrent || doubted_by_images || is_known) return;
+  if (!options.locate || concurrent || is_map_in_doubt(*now.record) || is_known) return;
   const StageTimer timer(Stage::kBootstrap, &now.record->stage_ms);
   const std::optional<LocatedPose> found = options.locate(*now.pyramid);
   if (!found) return;
@@ -96,7 +97,7 @@ Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult&
     begin_segment(now, bootstrapper.begin_segment(state.segment(), views, integrity.newest_before(), scale));
   if (problem.empty())
     replay.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
-  if (problem.empty()) integrity.begin_map(), confidence.begin_map();
+  if (problem.empty()) integrity.begin_map(), confidence.begin_map(), zoom_change.interrupt();
   return problem;
 }
 
@@ -158,6 +159,7 @@ void Odometry::Impl::begin_made_map() {
   front_end.begin_map(begun.reference, begun.motion, last.time);
   integrity.begin_map();
   confidence.begin_map();
+  zoom_change.interrupt();
   record_segment({last.frame_index, last.time, {}, {}}, begun);
   frames.publish();  // the newest frame may be one of the views, or late
 }

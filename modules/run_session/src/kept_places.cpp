@@ -26,7 +26,7 @@ std::set<int> frames_found(const Run& run) {
   return found;
 }
 
-// A keyframe may have several, of which one is mistaken: their scales tell them apart.
+// A keyframe may have several, of which one is mistaken: they differ in scale.
 std::vector<Constraint> those_that_hold(const Run& run, const KeptMap& of_run,
                                         const std::vector<Constraint>& found) {
   std::set<std::pair<int, double>> holding;  // frame, scale

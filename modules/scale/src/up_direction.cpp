@@ -144,16 +144,21 @@ std::optional<InputDecision> decide_up(Run* run, const std::optional<UpEstimate>
         "assumed; by " + seen(*up) + ", up lies " + fixed(up->tilt_deg, 1) + " degrees from there";
     return decision;
   }
+  if (!up->is_certain) {
+    decision.doubt = "by " + seen(*up) + ", up may lie " + fixed(up->tilt_deg, 0) +
+                     " degrees from there, which is not certain; if the maps lie on a slope, measure how the "
+                     "camera is mounted, and give --mount roll,pitch,yaw";
+    return decision;
+  }
   const SE3 mount = level_mount(up->up);
   const CameraMount angles = camera_mount(mount);
-  if (up->is_certain && up->tilt_deg > kLevelled) {
+  if (up->tilt_deg > kLevelled) {
     run->T_vehicle_cam = mount;
     return InputDecision{"mount", describe(angles), "seen: " + seen(*up), ""};
   }
   decision.doubt = "by " + seen(*up) + ", it " + describe(angles) +
-                   (up->is_certain ? "; the maps lie on that slope" : ", which is not certain") +
-                   "; for level maps give --mount " + fixed(angles.roll_deg, 1) + "," +
-                   fixed(angles.pitch_deg, 1) + ",0";
+                   "; the maps lie on that slope; for level maps give --mount " + fixed(angles.roll_deg, 1) +
+                   "," + fixed(angles.pitch_deg, 1) + ",0";
   return decision;
 }
 

@@ -21,17 +21,23 @@ bool crosses(const Surface& s, const Eigen::Vector3d& a, const Eigen::Vector3d& 
 
 }  // namespace
 
-void check_trajectory(const Scene& scene, const std::string& where) {
+std::optional<int> wall_crossed(const Scene& scene) {
   for (int i = 0; i + 1 < scene.size(); ++i) {
     const Eigen::Vector3d& a = scene.T_scene_cam[size_t(i)].translation();
     const Eigen::Vector3d& b = scene.T_scene_cam[size_t(i) + 1].translation();
     for (const Surface& s : scene.world->surfaces)
-      if (s.is_solid && crosses(s, a, b))
-        throw InputError(where,
-                         "the camera passes through a wall between frames " + std::to_string(i) + " and " +
-                             std::to_string(i + 1),
-                         "move the waypoints, or change motion.lane_offset or world.density");
+      if (s.is_solid && crosses(s, a, b)) return i;
   }
+  return std::nullopt;
+}
+
+void check_trajectory(const Scene& scene, const std::string& where) {
+  const std::optional<int> frame = wall_crossed(scene);
+  if (!frame) return;
+  throw InputError(where,
+                   "the camera passes through a wall between frames " + std::to_string(*frame) + " and " +
+                       std::to_string(*frame + 1),
+                   "move the waypoints, or change motion.lane_offset or world.density");
 }
 
 }  // namespace edgevo

@@ -147,8 +147,9 @@ SE3 CameraMotion::at(double seconds) const {
          SE3::exp((steps - double(i)) * (T_scene_cam[i].inverse() * T_scene_cam[i + 1]).log());
 }
 
-CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where) {
-  const Random random = Random::derive(seed, kMotionPurpose);
+CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where,
+                             uint64_t draw) {
+  const Random random = Random::derive(seed, kMotionPurpose + draw);
   return {1 / params.rate_hz / kStepsPerFrame,
           params.motion.kind == "hand" ? hand(params, random) : drive(params, random, where)};
 }

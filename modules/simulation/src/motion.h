@@ -22,7 +22,8 @@ constexpr int kStepsPerFrame = 50;
 
 /// The motion, in kStepsPerFrame steps a frame, so that step kStepsPerFrame i is frame i. Throws InputError
 /// naming `where`, for instance when the path ends before the frames do.
-CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where);
+CameraMotion make_trajectory(const SceneParams& params, uint64_t seed, const std::string& where,
+                             uint64_t draw = 0);
 
 /// A camera at `position` that looks along yaw (radians from x to the left), `down` radians below the
 /// horizon, and is rolled clockwise by `roll`.

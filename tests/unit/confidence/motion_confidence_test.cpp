@@ -234,6 +234,25 @@ TEST(MotionConfidence, AFocalLengthThatMayBeRightDoesNotDecideAlone) {
   EXPECT_GT(drive.go(early, kStep, 60).p_right, kDoubtfulBelow);
 }
 
+// A step ahead of a hand over a desk, and a small part of the way of a car.
+TEST(MotionConfidence, AZoomThatFeignsTheMotionIsDoubtedAndNamed) {
+  const FrameEvidence e = good_evidence();
+  const auto trust_at = [&](double step, double zoom, double sigma) {
+    Drive drive;
+    drive.go(e, step, 80);
+    ConfidenceInput frame{e, drive.next(step)};
+    frame.by_zoom = {zoom, std::abs(zoom), sigma};
+    return drive.trust.add(frame);
+  };
+  constexpr double kHand = 0.02;  // a step, units
+  const FrameConfidence zoomed = trust_at(kHand, -0.05, 0.01);
+  EXPECT_LT(zoomed.p_right, kDoubtfulBelow);
+  EXPECT_THAT(to_string(zoomed.reasons), HasSubstr("the images zoom by 5.0 % within 10 frames"));
+  EXPECT_GT(trust_at(kStep, -0.05, 0.01).p_right, 0.95);
+  EXPECT_GT(trust_at(kHand, 0.004, 0.008).p_right, kDoubtfulBelow) << "nothing that is certain";
+  EXPECT_GT(trust_at(kHand, 0.01, 0.08).p_right, 0.9) << "what is not known speaks against no motion";
+}
+
 TEST(MotionConfidence, EdgesThatLieOffTheMapAreInDoubtEvenIfTheyCountAsInliers) {
   Drive drive;
   FrameEvidence fit = usual_evidence();

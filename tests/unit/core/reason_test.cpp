@@ -23,12 +23,17 @@ TEST(Reason, EveryKindHasWordsOfItsOwn) {
 TEST(Reason, GivesItsNumbers) {
   EXPECT_EQ(to_string(Reason{ReasonKind::kInlierShare, 0.123, 0.15}), "inlier share 0.12 is below 0.15");
   EXPECT_EQ(to_string(Reason{ReasonKind::kFewAgree, 0.37, 0.6}),
-            "only 37 % of the corners agree on one motion, 60 % needed");
+            "only 37 % of the corners agree on one motion, 60 % needed: much moves by itself, or images are "
+            "blurred or blended");
   EXPECT_EQ(to_string(Reason{ReasonKind::kScaleByCorners, 0.6, 10}), "scale fell by 0.40 within 10 frames");
   EXPECT_EQ(to_string(Reason{ReasonKind::kScaleByCorners, 1.5, 50}),
             "scale grew by a factor of 1.50 within 50 frames");
   EXPECT_EQ(to_string(Reason{ReasonKind::kTranslationByCorners, 0.4}),
             "translation over 10 frames differs from the corners' by 40 % of its length");
+  EXPECT_EQ(to_string(Reason{ReasonKind::kFocalLength, 0.2}),
+            "a turn with a focal length that the corners put 20 % off");
+  EXPECT_EQ(to_string(Reason{ReasonKind::kFocalLength, 0.031, 10}),
+            "the images zoom by 3.1 % within 10 frames");
   EXPECT_EQ(to_string(Reason{ReasonKind::kStep, 1e9}), "a step of 9999 times the usual one");
 }
 

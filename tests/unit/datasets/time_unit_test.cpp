@@ -36,6 +36,14 @@ TEST(TimeUnit, APauseIsNoOtherUnit) {
   EXPECT_FALSE(other_unit_in({0, 0.1, 0.2, 0.2, 0.1, 0.4, 0.5})) << "times that run backwards";
 }
 
+TEST(TimeUnit, AClockThatRunsThroughZeroKeepsItsUnit) {
+  for (const double after : {0.0, 1e-6, 0.01}) {
+    std::vector<double> times;
+    for (int i = -30; i < 30; ++i) times.push_back(i / 30.0 + after);
+    EXPECT_FALSE(other_unit_in(times)) << after;
+  }
+}
+
 TEST(TimeUnit, FollowsFromNumbersSince1970) {
   for (const auto& [factor, name] :
        {std::pair(1.0, "seconds"), {1e3, "milliseconds"}, {1e6, "microseconds"}, {1e9, "nanoseconds"}}) {

@@ -169,6 +169,19 @@ TEST(GyroAid, OneThatTurnsWithSomethingElseIsNamedAndNotUsed) {
   EXPECT_THAT(aid.statement(), HasSubstr("does not turn"));
 }
 
+TEST(GyroAid, OneOfAnotherClockIsNamedWithTheOffset) {
+  for (const double offset_s : {3.2, -2.5}) {
+    Placed b;
+    b.change = [offset_s](size_t, GyroSample* s) {
+      s->time.ticks += int64_t(offset_s * Timestamp::kTicksPerSecond);
+    };
+    const GyroAid aid = follow(b, gyro_of(b));
+    EXPECT_FALSE(aid.is_used());
+    EXPECT_THAT(aid.statement(), HasSubstr(offset_s > 0 ? "3.2" : "2.5"));
+    EXPECT_THAT(aid.statement(), HasSubstr(offset_s > 0 ? "ahead" : "behind"));
+  }
+}
+
 TEST(GyroAid, OneThatFailsLaterIsNotUsedWithinTwoSeconds) {
   Placed b;
   b.seconds = 22;

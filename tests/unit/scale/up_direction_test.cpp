@@ -190,7 +190,8 @@ TEST(UpDirection, CuesThatContradictAreADoubt) {
   edgevo::Run run = drive_through(street);
   const auto decision = decide_up(&run);
   EXPECT_FALSE(run.T_vehicle_cam);
-  EXPECT_THAT(decision->doubt, ::testing::HasSubstr("give --mount"));
+  EXPECT_THAT(decision->doubt, ::testing::HasSubstr("not certain"));
+  EXPECT_THAT(decision->doubt, ::testing::HasSubstr("give --mount roll,pitch,yaw")) << "no figures to copy";
 }
 
 // A camera that looks up sees no ground: lines and turns suffice, as long as it is not upside down.

@@ -177,6 +177,17 @@ TEST(Scene, ThoseThatTryTheUnitLeadThroughNoWall) {
     EXPECT_NO_THROW(load_scene(name)) << name;
 }
 
+// Seeds 3 and 9 first draw a way through the table.
+TEST(Scene, AHandIsDrawnAgainUntilItsWayIsFree) {
+  for (const uint64_t seed : {3, 9}) {
+    Scene scene;
+    ASSERT_NO_THROW(scene = load_scene("office_walk", seed)) << seed;
+    EXPECT_FALSE(wall_crossed(scene)) << seed;
+    EXPECT_EQ(scene.T_scene_cam.size(), scene.times.size());
+    EXPECT_EQ(scene.size(), 300);
+  }
+}
+
 // Two floors at one height take turns in being seen, from image to image.
 TEST(Scene, FloorsOfCorridorsThatMeetLieOneAboveTheOther) {
   for (const char* name : {"corridor", "tiles"}) {

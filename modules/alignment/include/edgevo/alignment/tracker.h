@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "edgevo/alignment/correlated_residual.h"
+#include "edgevo/alignment/image_zoom.h"
 #include "edgevo/alignment/pose_choice.h"
 
 namespace edgevo {
@@ -16,6 +17,8 @@ struct TrackResult : PoseCandidate {
   CorrelatedResidual smooth;
   /// Its variance, px^2: that of this frame alone, until a mean of several is set.
   double correlated_px2 = 0;
+  /// What the image is larger by than pose and map explain.
+  ImageZoom zoom;
   /// Principal directions of the covariance, one per column: unit tangents [v, w], translation in median
   /// depths of the cloud.
   Matrix6d directions = Matrix6d::Identity();

@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "edgevo/confidence/status_params.h"
+#include "edgevo/confidence/zoom_change.h"
 #include "edgevo/core/frame_evidence.h"
 #include "edgevo/core/motion_history.h"
 #include "edgevo/core/motion_tolerance.h"
@@ -56,6 +57,8 @@ struct ConfidenceInput {
   /// The step over the usual one as the run reports it (MotionHistory::reported_ratio): a unit that is set
   /// back, or that of a new segment, changes it. NaN: not known.
   double times_usual_live = std::numeric_limits<double>::quiet_NaN();
+  /// The motion over ten frames that a lens that zooms has feigned.
+  FeignedMotion by_zoom = {};
 };
 
 /// Confidence in a frame.
@@ -66,6 +69,8 @@ struct FrameConfidence {
   Inconsistencies doubts{};
   /// Probability that a wrong focal length, which no other test sees, has bent the turn.
   double p_wrong_focal_length = 0;
+  /// Probability that a focal length that changes has feigned a translation beyond the tolerance.
+  double p_wrong_zoom = 0;
   /// Standard deviation of the logarithm of the unit of length that the map has carried over the last fifty
   /// frames, and the probability that it is off by more than the tolerance of a length.
   double unit_sigma = 0, p_wrong_unit = 0;

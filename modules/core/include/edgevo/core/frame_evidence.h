@@ -80,7 +80,7 @@ enum class ImageFault : uint8_t {
   kBlank,
   /// Every pixel is that of the image before.
   kRepeated,
-  /// A part is of the image before, or of the one before that.
+  /// A part is of an earlier image (edges/exposure_check.h).
   kTorn,
   /// Every second row is of another time.
   kInterlaced,

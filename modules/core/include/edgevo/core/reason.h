@@ -73,7 +73,7 @@ enum class ReasonKind : uint8_t {
   kRotationByCorners,
   /// Difference of the translation over ten frames to that of the corners, as a share of its length.
   kTranslationByCorners,
-  /// Error of the focal length by the corners, as a share.
+  /// Error of the focal length by the corners, or its change; and of a change its number of frames.
   kFocalLength,
   /// A turn that hides the translation.
   kTurn,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Is an image one exposure? Drivers hand out buffers that are still being written, so that a part is of the
-// image before, or of the one before that; video is interlaced; a raw mosaic of colours is taken for gray;
+// image that was in the buffer before; video is interlaced; a raw mosaic of colours is taken for gray;
 // images are repeated or black. Whatever follows takes all rows of an image for one time.
 #include <array>
 #include <vector>
@@ -25,7 +25,7 @@ struct ImageRows {
 struct ImageExposure {
   /// What is wrong with it.
   ImageFault fault = ImageFault::kNone;
-  /// Of a torn image the rows of the raw image that are of the image before.
+  /// Of a torn image the rows of the raw image that are of an earlier image.
   ImageRows old_rows;
 };
 
@@ -50,9 +50,11 @@ class ExposureCheck {
   static ImageRows rows_of(Earlier* earlier, const ImageView<uint8_t>& image);
   void keep(const std::vector<uint8_t>& pixels);
 
-  std::array<Earlier, 2> before_;  // the image before, and the one before that
-  int width_ = 0, height_ = 0;     // theirs
-  double contrast_ = 0;            // of the last image that is not blank, steps of its values
+  static constexpr size_t kBuffers = 4;  // images: drivers of cameras rarely ask for more buffers
+
+  std::array<Earlier, kBuffers> before_;  // the last images, the newest first
+  int width_ = 0, height_ = 0;            // theirs
+  double contrast_ = 0;                   // of the last image that is not blank, steps of its values
   bool was_blank_ = false;
   ImageFault newest_pattern_ = ImageFault::kNone, pattern_ = ImageFault::kNone;
 };

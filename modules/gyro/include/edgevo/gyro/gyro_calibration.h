@@ -39,6 +39,8 @@ struct GyroFit {
     kPerhapsMirrored,
     /// It turns with the camera at other rates: `times` those of the images.
     kOtherRates,
+    /// It turns as the camera does, but `offset_s` later or earlier: its clock is another one.
+    kOtherClock,
     /// The camera turned, and the gyro did not turn with it.
     kUnrelated,
   };
@@ -48,6 +50,8 @@ struct GyroFit {
   GyroModel model;
   /// Rates of the images over those of the gyro, of kOtherRates and kRelated.
   double times = 1;
+  /// Time of the gyro less that of the images, seconds, of kOtherClock.
+  double offset_s = 0;
 };
 
 /// Compares a gyro with turns of the images. Cost: 10 ms for 300 turns.

@@ -85,6 +85,9 @@ void mount_camera(const CameraMount& mount, Scene* scene);
 /// Names that load_scene accepts without a path, sorted.
 std::vector<std::string> scene_names();
 
+/// The first frame after which the camera passes through a solid surface, before the next; nullopt: none.
+std::optional<int> wall_crossed(const Scene& scene);
+
 /// Throws InputError naming `where` if the camera passes through a solid surface between two frames.
 void check_trajectory(const Scene& scene, const std::string& where);
 
