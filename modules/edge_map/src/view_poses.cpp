@@ -12,13 +12,13 @@ void align_tracked_views(std::vector<CloudPoint> points, const ViewAlignment& ho
                          std::vector<EdgeView>* views) {
   ReferenceCloud cloud;
   cloud.points = std::move(points);
-  const SupportScorer judge(how.status);
+  const SupportScorer scorer(how.status);
   for (EdgeView& view : *views) {
     if (!view.is_tracked) continue;
     PoseCandidate pose{view.T_view_host, {}, {}};
     pose.stats = align_edges(*view.pyramid, cloud, 0, how.alignment, &pose.T_cur_ref);
     pose.evidence = weigh_evidence(*view.pyramid, cloud, pose.T_cur_ref, how.alignment);
-    if (judge.fits(pose)) view.T_view_host = pose.T_cur_ref;
+    if (scorer.fits(pose)) view.T_view_host = pose.T_cur_ref;
   }
 }
 

@@ -5,8 +5,8 @@
 
 namespace edgevo {
 
-/// How tracking aligns a frame, and when the image supports the pose: views between keyframes are judged
-/// alike.
+/// How tracking aligns a frame, and when the image supports the pose: that of a view between
+/// keyframes, too.
 struct ViewAlignment {
   /// Costs.
   AlignmentParams alignment;
