@@ -16,7 +16,7 @@ OdometryParams params_of_labels() {
   OdometryParams params;
   params.camera.refine = "none";
   params.edge_map.mode = "keyframes";
-  params.edge_map.step_px = 2;
+  params.edge_map.step_px = 2, params.edge_map.min_vertices = 4;
   params.edge_map.max_relative_sigma = 1;
   return params;
 }

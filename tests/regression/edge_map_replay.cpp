@@ -69,8 +69,7 @@ void print_stages(const Request& r, const SceneRenderer& renderer, const EdgeRep
                                        edges.pixels[i].position().cast<double>()) *
                            unit;
       if (!(truth > 0) || unit / truth > r.why) continue;
-      if ((int(i) - edges.chains[size_t(edges.pixels[i].chain)].begin) % r.params.edge_map.step_px != 0)
-        continue;
+      if (t.stage == EdgeStage::kNotTried) continue;
       const bool right = std::abs(t.idepth - truth) < 0.05 * truth;
       ++counts[t.stage][t.idepth > 0 ? (right ? 0 : 1) : 2];
       ++all;

@@ -80,7 +80,8 @@ EdgeReplay replay_edges(const KeepingSource& source, const Run& run, const Odome
     const auto log = std::make_shared<MapLog>();
     MapCursor cursor(log);
     Map map(run.pinhole, log);
-    EdgeMapper mapper(run.pinhole, params.edge_map, false, log, &replay.trace);
+    EdgeMapper mapper(run.pinhole, params.edge_map, {params.alignment, params.status}, false, log,
+                      &replay.trace);
     while (is_next() || !map.active().empty()) {
       for (; is_next() && map.active().size() < size_t(params.mapping.window.keyframes);
            waiting.pop_front()) {

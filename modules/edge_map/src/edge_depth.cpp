@@ -29,13 +29,15 @@ class DepthSearch {
  public:
   DepthSearch(const Pinhole& pinhole, const FramePyramid& host, const std::vector<EdgeSides>& sides,
               const std::vector<EdgeView>& views, double max_idepth, const EdgeMapParams& params,
-              std::vector<EdgePlane>* planes, std::vector<TracedPixel>* trace)
+              std::vector<EdgePlane>* planes, std::vector<TracedPixel>* trace,
+              const std::vector<double>& known)
       : level_(host.finest()),
         sides_(sides),
         max_idepth_(max_idepth),
         params_(params),
         planes_(planes),
         trace_(trace),
+        known_(known),
         set_(pinhole, views) {
     if (trace_) trace_->assign(level_.edges.pixels.size(), {});
   }
@@ -51,17 +53,24 @@ class DepthSearch {
 
  private:
   void follow(const EdgeChain& chain) {
+    // From the first pixel to the last: with whole steps, short edges lost half of one at their ends.
+    const int last = chain.length() - 1, steps = (last + params_.step_px - 1) / params_.step_px;
     std::vector<ChainNode> nodes;
-    nodes.reserve(size_t(chain.length() / params_.step_px) + 1);
-    int last_search = -kSearchEveryPx;
-    for (int i = chain.begin; i < chain.end; i += params_.step_px) {
+    nodes.reserve(size_t(steps) + 1);
+    int next_search = chain.begin, in_vain = 0;
+    for (int k = 0; k <= steps; ++k) {
+      const int i = chain.begin + (k > 0 ? k * last / steps : 0);
       look_from(i);
       ChainNode node;
       node.edge_pixel = i;
       node.at = i - chain.begin;
       reached(i, EdgeStage::kNoCrossing);
       if (!nodes.empty()) carry_along(nodes.back(), &node);
-      if (i - last_search >= kSearchEveryPx && !has_sure_depth(node)) search(&node), last_search = i;
+      if (i >= next_search && !has_sure_depth(node) && !has_known_depth(&node)) {
+        search(&node);
+        in_vain = node.hypotheses.empty() ? in_vain + 1 : 0;
+        next_search = i + (1 + in_vain) * kSearchEveryPx;
+      }
       keep_best(&node.hypotheses);
       nodes.push_back(std::move(node));
     }
@@ -105,6 +114,15 @@ class DepthSearch {
                        [&](const Hypothesis& h) { return nodes * h.cost < kBreakCost; });
   }
 
+  // Whether views show the depth that earlier lines have here: most of an edge has been searched before.
+  bool has_known_depth(ChainNode* node) const {
+    const double known = known_.empty() ? 0 : known_[size_t(node->edge_pixel)];
+    if (!(known > 0)) return false;
+    const size_t before = node->hypotheses.size();
+    try_out(known, Guess::kCarriedAlong, node);
+    return node->hypotheses.size() > before && is_same(known, node->hypotheses.back().idepth);
+  }
+
   void search(ChainNode* node) const {
     std::vector<double> idepths;
     int searched = 0;
@@ -124,6 +142,8 @@ class DepthSearch {
     }
   }
 
+  static bool is_same(double a, double b) { return std::abs(a - b) < kSameIdepth * b; }
+
   static std::vector<double> distinct(std::vector<double> idepths) {
     std::sort(idepths.begin(), idepths.end());
     idepths.erase(std::unique(idepths.begin(), idepths.end(),
@@ -139,9 +159,8 @@ class DepthSearch {
     });
     auto best_end = hypotheses->begin();
     for (const Hypothesis& h : *hypotheses) {
-      const bool is_there = std::any_of(hypotheses->begin(), best_end, [&](const Hypothesis& b) {
-        return std::abs(b.idepth - h.idepth) < kSameIdepth * b.idepth;
-      });
+      const bool is_there = std::any_of(hypotheses->begin(), best_end,
+                                        [&](const Hypothesis& b) { return is_same(h.idepth, b.idepth); });
       if (!is_there && best_end - hypotheses->begin() < kMaxHypotheses) *best_end++ = h;
     }
     hypotheses->erase(best_end, hypotheses->end());
@@ -209,7 +228,7 @@ class DepthSearch {
   void lay_on_planes() {
     const WeighNode weigh_node = [this](const FinalNode& s, double idepth) {
       look_from(s.node.edge_pixel);
-      const Hypothesis h = weigh(sight_, set_, idepth, Guess::kRough, max_idepth_, params_);
+      const Hypothesis h = weigh(sight_, set_, idepth, Guess::kCarriedAlong, max_idepth_, params_);
       return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
                           h.views >= params_.min_views};
     };
@@ -255,7 +274,8 @@ class DepthSearch {
   const double max_idepth_;
   const EdgeMapParams& params_;
   std::vector<EdgePlane>* planes_;
-  std::vector<TracedPixel>* trace_;  // may be null
+  std::vector<TracedPixel>* trace_;   // may be null
+  const std::vector<double>& known_;  // inverse depths of earlier lines by edge pixel, 0: none; or empty
   ViewSet set_;
   EdgeSight sight_;  // of the current pixel
   std::vector<FinalChain> chains_;
@@ -268,9 +288,10 @@ std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyram
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
                                         const EdgeMapParams& params, std::vector<EdgePlane>* planes,
-                                        std::vector<TracedPixel>* trace) {
+                                        std::vector<TracedPixel>* trace, const std::vector<double>& known) {
   std::vector<EdgePlane> none;
-  return DepthSearch(pinhole, host, sides, views, max_idepth, params, planes ? planes : &none, trace).run();
+  return DepthSearch(pinhole, host, sides, views, max_idepth, params, planes ? planes : &none, trace, known)
+      .run();
 }
 
 }  // namespace edgevo

@@ -74,6 +74,13 @@ struct EdgeFusion::Explained {
   std::vector<Vertex*> source;    // the predicting vertex; for pixels between two, the nearer one
   std::vector<Vertex*> seen, missed;
 
+  std::vector<double> idepths() const {
+    std::vector<double> all;
+    all.reserve(known.size());
+    for (const KnownDepth& k : known) all.push_back(k.idepth);
+    return all;
+  }
+
   // Of two lines at one pixel the nearer is visible.
   void mark(int pixel, const KnownDepth& depth, Vertex* vertex) {
     KnownDepth& there = known[size_t(pixel)];
@@ -95,17 +102,17 @@ struct EdgeFusion::Explained {
 };
 
 void EdgeFusion::add(const EdgeHost& host, std::vector<EdgeView> views) {
-  align_tracked_views(cloud_for(host), &views);
+  align_tracked_views(cloud_for(host), how_, &views);
   for (EdgePlane& plane : planes_)
     plane = plane.seen_from(pinhole_, T_plane_world_ * host.T_cam_world.inverse());
   T_plane_world_ = host.T_cam_world, plane_host_ = host.id;
-  const std::vector<EdgePiece> pieces =
-      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &planes_,
-                       trace_ ? &(*trace_)[host.id] : nullptr);
   Explained explained;
   explained.known.resize(host.pyramid->finest().edges.pixels.size());
   explained.source.resize(explained.known.size(), nullptr);
   if (params_.is_fused()) project_lines(host, &explained);
+  const std::vector<EdgePiece> pieces =
+      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &planes_,
+                       trace_ ? &(*trace_)[host.id] : nullptr, explained.idepths());
   OpenHost open{host.id, host.T_cam_world, {}};
   for (const EdgePiece& piece : pieces) add_new_lines(host, piece, &explained, &open.lines);
   count(&explained);

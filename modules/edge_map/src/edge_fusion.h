@@ -31,11 +31,12 @@ struct EdgeHost {
 class EdgeFusion {
  public:
   /// `log` receives final lines; `trace` may be null.
-  EdgeFusion(const Rectification& rectification, const EdgeMapParams& params, std::shared_ptr<MapLog> log,
-             EdgeTrace* trace)
+  EdgeFusion(const Rectification& rectification, const EdgeMapParams& params, const ViewAlignment& how,
+             std::shared_ptr<MapLog> log, EdgeTrace* trace)
       : rectification_(rectification),
         pinhole_(rectification.target()),
         params_(params),
+        how_(how),
         log_(std::move(log)),
         trace_(trace) {}
 
@@ -90,6 +91,7 @@ class EdgeFusion {
   Rectification rectification_;
   Pinhole pinhole_;
   EdgeMapParams params_;
+  ViewAlignment how_;
   std::shared_ptr<MapLog> log_;
   EdgeTrace* trace_;
   std::deque<OpenHost> open_;      // ascending id

@@ -98,10 +98,10 @@ struct EdgeMapper::Impl {
     }
   };
 
-  Impl(const Rectification& rectification, const EdgeMapParams& p, bool own_thread,
+  Impl(const Rectification& rectification, const EdgeMapParams& p, const ViewAlignment& how, bool own_thread,
        std::shared_ptr<MapLog> log, EdgeTrace* trace)
       : params(p),
-        fusion(rectification, p, std::move(log), trace),
+        fusion(rectification, p, how, std::move(log), trace),
         worker({"lines of edges", kMaxWaiting, own_thread, true, true}) {}
 
   std::shared_ptr<const std::vector<EdgeSides>> sides_of(const Keyframe& k) {
@@ -164,9 +164,10 @@ struct EdgeMapper::Impl {
   Worker worker;  // last member: it ends before the others
 };
 
-EdgeMapper::EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, bool own_thread,
-                       std::shared_ptr<MapLog> log, EdgeTrace* trace)
-    : impl_(std::make_unique<Impl>(rectification, params, own_thread, std::move(log), trace)) {}
+EdgeMapper::EdgeMapper(const Rectification& rectification, const EdgeMapParams& params,
+                       const ViewAlignment& how, bool own_thread, std::shared_ptr<MapLog> log,
+                       EdgeTrace* trace)
+    : impl_(std::make_unique<Impl>(rectification, params, how, own_thread, std::move(log), trace)) {}
 EdgeMapper::~EdgeMapper() = default;
 
 void EdgeMapper::add(const Map& map) {

@@ -4,16 +4,22 @@
 #include <utility>
 
 #include "edgevo/alignment/edge_alignment.h"
+#include "edgevo/confidence/frame_status.h"
 
 namespace edgevo {
 
-void align_tracked_views(std::vector<CloudPoint> points, std::vector<EdgeView>* views) {
-  constexpr size_t kAtLeast = 100;  // points: each has one equation for six unknowns, and some are wrong
-  if (points.size() < kAtLeast) return;
+void align_tracked_views(std::vector<CloudPoint> points, const ViewAlignment& how,
+                         std::vector<EdgeView>* views) {
   ReferenceCloud cloud;
   cloud.points = std::move(points);
-  for (EdgeView& view : *views)
-    if (view.is_tracked) align_edges(*view.pyramid, cloud, 0, AlignmentParams(), &view.T_view_host);
+  const SupportScorer scorer(how.status);
+  for (EdgeView& view : *views) {
+    if (!view.is_tracked) continue;
+    PoseCandidate pose{view.T_view_host, {}, {}};
+    pose.stats = align_edges(*view.pyramid, cloud, 0, how.alignment, &pose.T_cur_ref);
+    pose.evidence = weigh_evidence(*view.pyramid, cloud, pose.T_cur_ref, how.alignment);
+    if (scorer.fits(pose)) view.T_view_host = pose.T_cur_ref;
+  }
 }
 
 }  // namespace edgevo

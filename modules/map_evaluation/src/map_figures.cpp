@@ -59,6 +59,7 @@ struct Comparison {
     for (const DrawnPixel& d : drawn) {
       is_hidden.push_back(view.is_hidden(d.px, d.depth, o.within_px, o.depth_share));
       is_right.push_back(view.has_edge(d.px, d.depth, o.within_px, o.depth_share));
+      place.push_back(view.place_of(d.px, d.normal, d.depth));
     }
   }
 
@@ -66,12 +67,14 @@ struct Comparison {
   std::vector<DrawnPixel> drawn;
   std::vector<bool> is_found;             // by edge of the view
   std::vector<bool> is_hidden, is_right;  // by drawn pixel
+  std::vector<EdgePlace> place;           // likewise
 };
 
 // A pixel of a piece of a line in one frame.
 struct Sample {
   size_t piece;
   float depth;
+  EdgePlace place;
   bool is_hidden, is_right;
 };
 
@@ -83,19 +86,19 @@ class Samples {
 
   void add(const Comparison& c) {
     for (size_t d = 0; d < c.drawn.size(); ++d) {
-      const Sample v{c.drawn[d].piece, float(c.drawn[d].depth), c.is_hidden[d], c.is_right[d]};
+      const Sample v{c.drawn[d].piece, float(c.drawn[d].depth), c.place[d], c.is_hidden[d], c.is_right[d]};
       all_.push_back(v);
       if (v.is_hidden) continue;
       if (v.depth < nearest_[v.piece]) nearest_[v.piece] = v.depth, is_right_there_[v.piece] = v.is_right;
     }
   }
-  // Calls `f` with piece, depth and judgement. What a frame sees from too far to resolve is right if the
-  // nearest one finds the edge; what is hidden counts only if it always is.
+  // Calls `f` with the sample, and whether it is right. What a frame sees from too far to resolve is right if
+  // the nearest one finds the edge; what is hidden counts only if it always is.
   template <class F>
   void each(const F& f) const {
     for (const Sample& v : all_)
       if (!v.is_hidden || !std::isfinite(nearest_[v.piece]))
-        f(v.piece, double(v.depth), !v.is_hidden && (v.is_right || is_right_there_[v.piece]));
+        f(v, !v.is_hidden && (v.is_right || is_right_there_[v.piece]));
   }
 
  private:
@@ -124,6 +127,7 @@ struct Bands {
 struct KindCount {
   double depth;
   TrueEdge kind;
+  EdgePlace place;
   bool is_along, is_found;
 };
 
@@ -141,6 +145,19 @@ std::vector<MapFigure> count_kinds(const std::vector<KindCount>& edges, double n
     for (MapFigure* m : {&kinds[kind], &kinds[e.is_along ? 4 : 5]}) ++m->edges, m->found += e.is_found;
   }
   return kinds;
+}
+
+std::vector<MapFigure> count_places(const std::vector<KindCount>& edges, const Samples& samples,
+                                    double near_m) {
+  std::vector<MapFigure> places(3);
+  const char* names[] = {"on the ground", "upright", "others above"};
+  for (size_t i = 0; i < places.size(); ++i) places[i].name = names[i];
+  for (const KindCount& e : edges)
+    if (e.depth <= near_m) ++places[size_t(e.place)].edges, places[size_t(e.place)].found += e.is_found;
+  samples.each([&](const Sample& v, bool is_right) {
+    if (double(v.depth) <= near_m) ++places[size_t(v.place)].drawn, places[size_t(v.place)].right += is_right;
+  });
+  return places;
 }
 
 double near_limit(const Bands& bands) {
@@ -177,21 +194,23 @@ MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEva
     for (size_t e = 0; e < c.is_found.size(); ++e) {
       const TrueEdgePixel& t = c.view.edges()[e];
       bands.at(t.depth, [&](MapFigure* m) { ++m->edges, m->found += c.is_found[e]; });
-      kinds.push_back({t.depth, t.kind, t.is_along_motion, c.is_found[e]});
+      kinds.push_back(
+          {t.depth, t.kind, c.view.place_of(t.px, t.normal, t.depth), t.is_along_motion, c.is_found[e]});
     }
     samples.add(c);
   }
   result.sources.resize(2);
   for (const DepthSource s : {DepthSource::kViews, DepthSource::kPlane})
     result.sources[size_t(s)].name = to_string(s);
-  samples.each([&](size_t piece, double depth, bool is_right) {
+  samples.each([&](const Sample& v, bool is_right) {
     const auto add = [&](MapFigure* m) { ++m->drawn, m->right += is_right; };
-    bands.at(depth, add);
-    add(&result.sources[size_t(lines.pieces[piece].source)]);
+    bands.at(double(v.depth), add);
+    add(&result.sources[size_t(lines.pieces[v.piece].source)]);
   });
   result.bands = bands.figures;
   result.near_m = near_limit(bands);
   result.kinds = count_kinds(kinds, result.near_m);
+  result.places = count_places(kinds, samples, result.near_m);
   return result;
 }
 

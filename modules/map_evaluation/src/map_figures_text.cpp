@@ -21,6 +21,12 @@ std::string json_band(const MapFigure& m) {
       m.name.c_str(), (long long)m.edges, m.completeness(), (long long)m.drawn, m.rightness(), m.f());
 }
 
+std::string table_row(const MapFigure& m) {
+  if (m.edges == 0 && m.drawn == 0) return "";
+  return formatted_row("%-20s %10lld %9.3f %10lld %7.3f %6.3f\n", m.name.c_str(), (long long)m.edges,
+                       m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+}
+
 // Lines have no kind.
 std::string json_kind(const MapFigure& m) {
   return formatted_row("{\"name\": \"%s\", \"edges\": %lld, \"complete\": %.4f}", m.name.c_str(),
@@ -46,15 +52,13 @@ std::string to_table(const MapFigures& figures) {
   std::string text = formatted_row(
       "%d frames compared; %.6g metres per unit of the map\n\n%-20s %10s %9s %10s %7s %6s\n", figures.frames,
       figures.metres_per_unit, "edges", "pixels", "complete", "line px", "right", "F");
-  for (const MapFigure& m : figures.bands)
-    if (m.edges > 0 || m.drawn > 0)
-      text += formatted_row("%-20s %10lld %9.3f %10lld %7.3f %6.3f\n", m.name.c_str(), (long long)m.edges,
-                            m.completeness(), (long long)m.drawn, m.rightness(), m.f());
+  for (const MapFigure& m : figures.bands) text += table_row(m);
   for (const MapFigure& m : figures.sources)
     if (m.drawn > 0)
       text += formatted_row("%-20s %10s %9s %10lld %7.3f\n", ("by " + m.name).c_str(), "", "",
                             (long long)m.drawn, m.rightness());
   text += std::isfinite(figures.near_m) ? formatted_row("\nwithin %g m:\n", figures.near_m) : "\n";
+  for (const MapFigure& m : figures.places) text += table_row(m);
   for (const MapFigure& m : figures.kinds)
     text += formatted_row("%-20s %10lld %9.3f\n", m.name.c_str(), (long long)m.edges, m.completeness());
   return text;
@@ -65,6 +69,7 @@ std::string to_json(const MapFigures& figures) {
   return formatted_row("{\n  \"frames\": %d, \"metres_per_unit\": %.9g, \"near_m\": %s,\n  \"bands\": ",
                        figures.frames, figures.metres_per_unit, near.c_str()) +
          json_list(figures.bands, json_band) + ",\n  \"kinds\": " + json_list(figures.kinds, json_kind) +
+         ",\n  \"places\": " + json_list(figures.places, json_band) +
          ",\n  \"sources\": " + json_list(figures.sources, json_source) + "\n}\n";
 }
 

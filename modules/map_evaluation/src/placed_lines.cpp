@@ -76,7 +76,7 @@ std::vector<DrawnPixel> draw_lines(const PlacedLines& lines, const Pinhole& pinh
       if (!pinhole.contains(px, 1)) continue;
       // Inverse depth is linear along the image of a straight line.
       const double depth = 1 / ((1 - share) / a.z() + share / b.z());
-      drawn.push_back({px, depth, i});
+      drawn.push_back({px, Eigen::Vector2d(-step.y(), step.x()) / length, depth, i});
     }
   }
   return drawn;

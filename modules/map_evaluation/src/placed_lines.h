@@ -29,6 +29,8 @@ PlacedLines place_lines(const Run& map, const Scene& scene);
 /// A pixel of a line in a view.
 struct DrawnPixel {
   Eigen::Vector2d px;
+  /// Unit normal of the line in the view.
+  Eigen::Vector2d normal;
   /// Metres.
   double depth = 0;
   /// Index into PlacedLines::pieces.

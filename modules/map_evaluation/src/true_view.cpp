@@ -11,6 +11,8 @@ namespace {
 // Sine of the angle between edge and epipolar line, below which a depth is not to be had from views: that at
 // which the depth filter does not search (14.5 degrees).
 constexpr double kAlongSine = 0.25;
+constexpr double kGroundHeight = 0.3;   // metres: a wheel, or a foot, is stopped by what is higher
+constexpr double kUprightSine = 0.174;  // of the angle to the vertical in the image: 10 degrees
 
 // Calls `f` with the pixels within `reach` of `px` until it returns true.
 template <class F>
@@ -83,6 +85,17 @@ void TrueView::add_faint_edges() {
       const double idepth = edge_idepth(depth, {double(x), double(y)});
       if (idepth > 0) there = float(1 / idepth);
     }
+}
+
+EdgePlace TrueView::place_of(const Eigen::Vector2d& px, const Eigen::Vector2d& normal, double depth) const {
+  const Eigen::Vector3d at = depth * pinhole_.ray(px);
+  if ((T_scene_cam_ * at).z() < kGroundHeight) return EdgePlace::kOnGround;
+  const Eigen::Vector3d up = T_scene_cam_.R().row(2).transpose();
+  // The image of the vertical through the point.
+  const Eigen::Vector2d vertical(pinhole_.fx * (up.x() * at.z() - at.x() * up.z()),
+                                 pinhole_.fy * (up.y() * at.z() - at.y() * up.z()));
+  return std::abs(normal.dot(vertical)) < kUprightSine * vertical.norm() ? EdgePlace::kUpright
+                                                                         : EdgePlace::kAbove;
 }
 
 bool TrueView::is_hidden(const Eigen::Vector2d& px, double depth, double reach, double share) const {

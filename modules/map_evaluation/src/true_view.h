@@ -20,6 +20,16 @@ struct TrueEdgePixel {
   bool is_along_motion = false;
 };
 
+/// Where an edge is, as a robot meets it.
+enum class EdgePlace {
+  /// Close to the ground: markings, kerbs, the feet of things.
+  kOnGround,
+  /// Upright above it: poles, corners, frames of doors.
+  kUpright,
+  /// Neither: ledges, wires, roofs, leaves.
+  kAbove
+};
+
 /// Edges of a frame, and the depth of what it shows.
 class TrueView {
  public:
@@ -32,6 +42,8 @@ class TrueView {
   /// Edges not in the sky.
   const std::vector<TrueEdgePixel>& edges() const { return edges_; }
 
+  /// Where an edge of this depth and this normal in the image is.
+  EdgePlace place_of(const Eigen::Vector2d& px, const Eigen::Vector2d& normal, double depth) const;
   /// Whether a point at this depth is hidden at all pixels within `reach` of `px` by surfaces nearer than the
   /// share allows.
   bool is_hidden(const Eigen::Vector2d& px, double depth, double reach, double share) const;

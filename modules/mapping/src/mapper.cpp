@@ -36,14 +36,14 @@ Mapper::Mapper(const Rectification& rectification, const MapperParams& params, c
       cells_(rectification, params.mapping.depth_filter.cell_px),
       params_(params.mapping),
       association_(params.association),
-      gradient_patches_(params.gradient_patches),
+      gradient_patches_(params.tracking.alignment.photometric),
       options_(options),
       random_(Random::derive(options.seed, 2)),
       log_(options.log ? options.log : std::make_shared<MapLog>()),
       map_(std::make_unique<Map>(rectification, log_)),
       window_(map_.get(), rectification, params.mapping.window, params.association),
       calibration_(rectification, params.camera),
-      edge_mapper_(rectification, params.edge_map, options.own_threads, log_),
+      edge_mapper_(rectification, params.edge_map, params.tracking, options.own_threads, log_),
       corrected_images_(std::make_unique<RebuiltImages>(options.rebuild)) {
   if (options.camera) calibration_.begin_with(*options.camera);
 }

@@ -37,7 +37,7 @@ OdometryParams for_size(OdometryParams p, const Pinhole& camera) {
 }
 
 MapperParams mapper_params(const OdometryParams& p) {
-  return {p.mapping, p.association, p.camera, p.edge_map, p.alignment.photometric};
+  return {p.mapping, p.association, p.camera, p.edge_map, {p.alignment, p.status}};
 }
 
 MapLinkOptions map_options(const OdometryOptions& o) {

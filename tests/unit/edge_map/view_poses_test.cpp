@@ -48,7 +48,7 @@ TEST(ViewPoses, AreThoseThatLinesSay) {
     std::vector<EdgeView> views{tracked_view(SE3::exp(xi)), tracked_view(SE3::exp(xi))};
     views[1].is_tracked = false;  // adjusted since
     const double before = error_of(views[0]);
-    align_tracked_views(points_of_host(), &views);
+    align_tracked_views(points_of_host(), {}, &views);
     EXPECT_LT(error_of(views[0]), 0.5 * before + 0.002);
     EXPECT_EQ(error_of(views[1]), before);
   }
@@ -59,7 +59,33 @@ TEST(ViewPoses, StayWhereTooFewLinesAreKnown) {
   const double before = error_of(views[0]);
   std::vector<CloudPoint> few = points_of_host();
   few.resize(20);
-  align_tracked_views(few, &views);
+  align_tracked_views(few, {}, &views);
+  EXPECT_EQ(error_of(views[0]), before);
+}
+
+// The lines of another place: an alignment that converges somewhere is none.
+TEST(ViewPoses, StayWhereTheImageDoesNotSupportNewOnes) {
+  std::vector<EdgeView> views{tracked_view(SE3::exp(Vector6d::Constant(0.002)))};
+  const double before = error_of(views[0]);
+  Random random(7);
+  std::vector<CloudPoint> elsewhere = points_of_host();
+  for (CloudPoint& p : elsewhere) {
+    const double angle = random.uniform(0, 6.28);
+    p.px = {float(random.uniform(20, Sweep::pinhole().width - 20)),
+            float(random.uniform(20, Sweep::pinhole().height - 20))};
+    p.normal = {float(std::cos(angle)), float(std::sin(angle))};
+    p.ray = Sweep::pinhole().ray(p.px.cast<double>());
+  }
+  align_tracked_views(elsewhere, {}, &views);
+  EXPECT_EQ(error_of(views[0]), before);
+}
+
+TEST(ViewPoses, FollowTheSettingsOfTheRun) {
+  std::vector<EdgeView> views{tracked_view(SE3::exp(Vector6d::Constant(0.002)))};
+  const double before = error_of(views[0]);
+  ViewAlignment strict;
+  strict.status.degraded_share = 1;
+  align_tracked_views(points_of_host(), strict, &views);
   EXPECT_EQ(error_of(views[0]), before);
 }
 

@@ -93,6 +93,28 @@ TEST(MapFigures, BandsAreCumulativeAndKindsAddUp) {
   EXPECT_GT(figures.kinds[4].edges, 0);  // along the motion
 }
 
+TEST(MapFigures, EdgesAndLinesAreCountedByPlace) {
+  edgevo::Run map = true_map(1, 1);
+  for (KeyframeRecord& k : map.keyframes)
+    for (EdgeLine& line : k.lines) {
+      const EdgeVertex& v = line.vertices[line.vertices.size() / 2];
+      const SE3 T_scene_cam = street().scene().T_scene_cam[size_t(k.frame_index)];
+      if ((T_scene_cam * (kUnit * point_in_camera(map.pinhole, v))).z() < 0.3) line.vertices.clear();
+    }
+  const MapFigures figures = evaluate_map(map, street(), options());
+  int64_t edges = 0;
+  for (const MapFigure& m : figures.places) edges += m.edges;
+  EXPECT_EQ(edges, figures.kinds[4].edges + figures.kinds[5].edges);
+  const MapFigure &ground = figures.places.at(0), &upright = figures.places.at(1);
+  EXPECT_GT(ground.edges, 1000);
+  EXPECT_LT(ground.completeness(), 0.3);  // these lines were taken out
+  EXPECT_GT(upright.edges, 1000);
+  EXPECT_GT(upright.completeness(), 0.9);
+  EXPECT_GT(upright.rightness(), 0.9);
+  EXPECT_NE(to_table(figures).find("on the ground"), std::string::npos);
+  EXPECT_NE(to_json(figures).find("\"places\""), std::string::npos);
+}
+
 TEST(MapFigures, LinesAreCountedBySource) {
   edgevo::Run map = true_map(1, 4);
   for (KeyframeRecord& k : map.keyframes)

@@ -77,11 +77,13 @@ using EdgePiece = std::vector<EdgeNode>;
 /// Finds the pieces of the host's edges whose depth the views constrain, in the order of its chains. `sides`
 /// belongs to the edge pixels of the host, `views` are sorted nearest first, and no depth is below 1 over
 /// `max_idepth`. `planes`, unless null: those of the keyframe before as seen from this one, and those of
-/// this one afterwards. `trace`, unless null, receives one entry per edge pixel.
+/// this one afterwards. `trace`, unless null, receives one entry per edge pixel. `known`, unless empty:
+/// inverse depths by edge pixel, 0 for none, that need no search where the views show them.
 std::vector<EdgePiece> find_edge_depths(const Pinhole& pinhole, const FramePyramid& host,
                                         const std::vector<EdgeSides>& sides,
                                         const std::vector<EdgeView>& views, double max_idepth,
                                         const EdgeMapParams& params, std::vector<EdgePlane>* planes = nullptr,
-                                        std::vector<TracedPixel>* trace = nullptr);
+                                        std::vector<TracedPixel>* trace = nullptr,
+                                        const std::vector<double>& known = {});
 
 }  // namespace edgevo

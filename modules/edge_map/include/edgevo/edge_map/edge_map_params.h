@@ -13,11 +13,11 @@ struct EdgeMapParams {
   /// Images.
   int views = 8;
   /// Pixels.
-  int step_px = 3;
+  int step_px = 6;
   /// Images.
   int min_views = 3;
   /// Vertices.
-  int min_vertices = 4;
+  int min_vertices = 2;
   /// Share of the inverse depth.
   double max_relative_sigma = 0.03;
 

@@ -16,6 +16,7 @@
 
 #include "edgevo/edge_map/edge_map_params.h"
 #include "edgevo/edge_map/edge_trace.h"
+#include "edgevo/edge_map/view_alignment.h"
 #include "edgevo/map/map.h"
 
 namespace edgevo {
@@ -24,9 +25,10 @@ namespace edgevo {
 class EdgeMapper {
  public:
   /// `log`, not null, receives the lines of each keyframe once they are final, in ascending order of id. With
-  /// `own_thread`, add() returns at once. `trace`, unless null, is filled until close().
-  EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, bool own_thread,
-             std::shared_ptr<MapLog> log, EdgeTrace* trace = nullptr);
+  /// `own_thread`, add() returns at once. `how`: frames between keyframes are aligned. `trace`, unless null,
+  /// is filled until close().
+  EdgeMapper(const Rectification& rectification, const EdgeMapParams& params, const ViewAlignment& how,
+             bool own_thread, std::shared_ptr<MapLog> log, EdgeTrace* trace = nullptr);
   ~EdgeMapper();
 
   /// Adds the keyframe that was marginalised last, unless it is doubtful: such a keyframe neither gets lines

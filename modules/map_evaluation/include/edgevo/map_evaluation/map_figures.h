@@ -63,7 +63,9 @@ struct MapFigures {
   /// At all distances, the lines by what their depth is from (DepthSource, in its order). Edges have no
   /// source.
   std::vector<MapFigure> sources;
-  /// Depth up to which kinds are counted, metres.
+  /// Within `near_m`, edges and lines by where they are: on the ground, upright above it, and all others.
+  std::vector<MapFigure> places;
+  /// Depth up to which kinds and places are counted, metres.
   double near_m = 0;
 
   /// Whether less than half of the lines lie at edges: those of the poorest map of its own scene do.

@@ -110,8 +110,8 @@ struct MapperParams {
   SelfCalibrationParams camera;
   /// Map of lines.
   EdgeMapParams edge_map;
-  /// AlignmentParams::photometric: patches of gradients next to those of gray levels.
-  bool gradient_patches = false;
+  /// How frames are aligned, and when the image supports their poses.
+  ViewAlignment tracking;
 };
 
 /// How mapping works in a run; what it estimates is in MapperParams.
