@@ -26,15 +26,20 @@ double distance_in_depths(const SE3& a, const LocatedPose& b) {
   return (a.translation() - b.T_world_cam.translation()).norm() / b.median_depth;
 }
 
+// Not one pose, by the tolerance of a right motion.
+bool are_apart(const LocatedPose& a, const LocatedPose& b) {
+  return distance_in_depths(a.T_world_cam, b) > kMotionTolerance.share_of_depth ||
+         turn_between(a.T_world_cam, b.T_world_cam) > rad(kMotionTolerance.rotation_deg);
+}
+
 bool are_adjacent(const LocatedPose& a, const LocatedPose& b) {
-  return distance_in_depths(b.T_world_cam, a) + turn_between(a.T_world_cam, b.T_world_cam) < kAdjacent;
+  return view_difference(b.T_world_cam, a) < kAdjacent;
 }
 
 }  // namespace
 
-bool is_same_pose(const SE3& T_world_cam, const LocatedPose& located) {
-  return distance_in_depths(T_world_cam, located) <= kMotionTolerance.share_of_depth &&
-         turn_between(T_world_cam, located.T_world_cam) <= rad(kMotionTolerance.rotation_deg);
+double view_difference(const SE3& T_world_cam, const LocatedPose& located) {
+  return distance_in_depths(T_world_cam, located) + turn_between(T_world_cam, located.T_world_cam);
 }
 
 ViewLocator::ViewLocator(std::shared_ptr<const PlaceStore> map) : map_(std::move(map)) {
@@ -57,9 +62,8 @@ std::optional<LocatedPose> ViewLocator::by_image(const RememberedView& view) {
   const Found& best = *std::min_element(found.begin(), found.end(), [](const Found& a, const Found& b) {
     return a.edges_log_alarms < b.edges_log_alarms;
   });
-  const bool is_ambiguous = std::any_of(found.begin(), found.end(), [&](const Found& f) {
-    return !is_same_pose(f.pose.T_world_cam, best.pose);
-  });
+  const bool is_ambiguous =
+      std::any_of(found.begin(), found.end(), [&](const Found& f) { return are_apart(f.pose, best.pose); });
   return is_ambiguous ? std::nullopt : std::optional(best.pose);
 }
 

@@ -7,6 +7,14 @@
 #include "edgevo/tracking/frame_view.h"
 
 namespace edgevo {
+namespace {
+
+// Shares of the median depth plus radians: three times what a located image is usually off.
+constexpr double kAgrees = 0.015;
+// Images of which one is located while the map is believed: some 5 ms for each.
+constexpr int kImagesPerLook = 8;
+
+}  // namespace
 
 KeptMapPose KeptMapTracker::follow(const Odometry& odometry, bool is_found) {
   const NewestPose& newest = odometry.newest_pose();
@@ -18,11 +26,13 @@ KeptMapPose KeptMapTracker::follow(const Odometry& odometry, bool is_found) {
   if (is_another_map || !newest.T_cam_map || is_placed_anew || newest.p_right < kDoubtfulBelow)
     agrees_ = false;
   const bool has_own = is_found && newest.T_cam_map;
-  if (has_own && agrees_) return {true, std::nullopt};
+  if (has_own && agrees_ && ++unlooked_ < kImagesPerLook) return {true, std::nullopt};
+  unlooked_ = 0;
   std::optional<LocatedPose> image;
   if (newest_image_ && newest_image_ != before) image = locator_.locate(*newest_image_);
   if (has_own && image) {
-    agrees_ = is_same_pose(newest.T_world_odom * T_odom_cam(newest, *newest.T_cam_map), *image);
+    const SE3 T_kept_cam = newest.T_world_odom * T_odom_cam(newest, *newest.T_cam_map);
+    agrees_ = view_difference(T_kept_cam, *image) < kAgrees;
     contradicts_ = !agrees_;
   }
   if (has_own && !contradicts_) return {true, std::nullopt};

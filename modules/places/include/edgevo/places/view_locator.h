@@ -37,8 +37,9 @@ class ViewLocator {
   std::deque<std::optional<LocatedPose>> recent_;  // of the last images, the newest last
 };
 
-/// Whether a pose is the one that was located, by the tolerance of a right motion (core/motion_tolerance.h).
-bool is_same_pose(const SE3& T_world_cam, const LocatedPose& located);
+/// By how much the view of a pose differs from that of one that was located: shares of the median depth plus
+/// radians.
+double view_difference(const SE3& T_world_cam, const LocatedPose& located);
 
 /// ViewLocator::locate() as a function that owns its locator: what OdometryOptions::locate takes. Empty
 /// without a map.
