@@ -72,7 +72,7 @@ Reason reason_for_doubt(const FrameConfidence& trust, const ConfidenceInput& fra
   const FrameEvidence& e = frame.evidence;
   if (p_right(trust.doubts) < kDoubtfulBelow) return reason_of(largest_contribution(trust.doubts), e);
   if (trust.p_wrong_zoom > std::max(trust.p_wrong_unit, trust.p_wrong_focal_length))
-    return {ReasonKind::kFocalLength, std::abs(frame.by_zoom.zoom), double(kMotionTolerance.frames)};
+    return {ReasonKind::kZoom, std::abs(frame.by_zoom.zoom)};
   if (trust.p_wrong_unit > trust.p_wrong_focal_length) return {ReasonKind::kUnitCarried, trust.unit_sigma};
   return {ReasonKind::kFocalLength, e.focal_error};
 }

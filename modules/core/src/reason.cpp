@@ -17,13 +17,6 @@ std::string scale_in_words(double ratio, double frames) {
 }
 
 // For printf: the first number is `value`, the second `other`.
-std::string zoom_in_words(const Reason& reason) {
-  char text[80];
-  std::snprintf(text, sizeof text, "the images zoom by %.1f %% within %.0f frames", 100 * reason.value,
-                reason.other);
-  return text;
-}
-
 const char* pattern_of(ReasonKind kind) {
   switch (kind) {
     case ReasonKind::kSkipped:
@@ -46,8 +39,7 @@ const char* pattern_of(ReasonKind kind) {
       return "no essential matrix fits the corners";
     case ReasonKind::kFewAgree:
       return "only %.0f %% of the corners agree on one motion, %.0f %% needed: much moves by itself, or "
-             "images are "
-             "blurred or blended";
+             "images are blurred or blended";
     case ReasonKind::kTwoMotionsFit:
       return "two different motions fit the %.0f corners equally well: more parallax needed, or larger "
              "images";
@@ -97,6 +89,8 @@ const char* pattern_of(ReasonKind kind) {
       return "edges hardly determine the motion (%.1f %% of the depth, or of a radian)";
     case ReasonKind::kMapMoved:
       return "the map moved under the camera within 10 frames (by %.1f %% of the depth)";
+    case ReasonKind::kZoom:
+      return "the images zoom by %.1f %% within 10 frames";
     case ReasonKind::kUnitCarried:
       return "a turn with hardly a translation, in which a unit of length is carried on to %.0f %% only";
   }
@@ -106,7 +100,7 @@ const char* pattern_of(ReasonKind kind) {
 bool is_share(ReasonKind kind) {
   return kind == ReasonKind::kFewAgree || kind == ReasonKind::kTranslationByCorners ||
          kind == ReasonKind::kFocalLength || kind == ReasonKind::kLittleInformation ||
-         kind == ReasonKind::kMapMoved || kind == ReasonKind::kUnitCarried;
+         kind == ReasonKind::kMapMoved || kind == ReasonKind::kUnitCarried || kind == ReasonKind::kZoom;
 }
 
 }  // namespace
@@ -114,7 +108,6 @@ bool is_share(ReasonKind kind) {
 std::string to_string(const Reason& reason) {
   constexpr double kMaxShown = 9999;  // of a step after a standstill of no step at all
   if (reason.kind == ReasonKind::kScaleByCorners) return scale_in_words(reason.value, reason.other);
-  if (reason.kind == ReasonKind::kFocalLength && reason.other > 0) return zoom_in_words(reason);
   const double unit = is_share(reason.kind) ? 100 : 1;
   const double value = reason.kind == ReasonKind::kStep ? std::min(reason.value, kMaxShown) : reason.value;
   char text[160];

@@ -109,6 +109,7 @@ ServoPose ServoFeed::pose(Timestamp now) const {
   pose.usable_in_kept = kept_.is_by_own_map ? pose.usable
                                             : kept_.by_image && failure_.empty() &&
                                                   too_old_because(pose.age_s, options_).empty();
+  pose.is_kept_by_image = kept_.by_image.has_value();
   if (kept_.by_image) pose.cMk = to_visp(kept_.by_image->inverse());
   if (!newest_.T_cam_map) return pose;
   pose.predicted_s = step_s_ > 0 ? std::clamp(pose.age_s, 0.0, options_.max_prediction_s) : 0;

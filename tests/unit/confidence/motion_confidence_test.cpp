@@ -379,28 +379,5 @@ TEST(MotionConfidence, IsTheSameForTheSameFrames) {
   }
 }
 
-TEST(Status, IsDegradedInDoubtAndSaysWhy) {
-  FrameConfidence doubtful;
-  doubtful.p_right = kDoubtfulBelow - 1e-6, doubtful.reasons = {{ReasonKind::kTurn}};
-  const FrameStatus degraded = frame_status({TrackingState::kTracking, {}}, doubtful);
-  EXPECT_EQ(degraded.state, TrackingState::kDegraded);
-  EXPECT_EQ(to_string(degraded.reasons), "a translation that the turn hides");
-  EXPECT_EQ(to_string(frame_status({TrackingState::kDegraded, {{ReasonKind::kDiverged}}}, doubtful).reasons),
-            "alignment diverged; a translation that the turn hides");
-  EXPECT_EQ(to_string(frame_status({TrackingState::kLost, {{ReasonKind::kDiverged}}}, doubtful).reasons),
-            "alignment diverged");
-  FrameConfidence sure;
-  sure.p_right = kDoubtfulBelow;
-  EXPECT_EQ(frame_status({TrackingState::kTracking, {}}, sure).state, TrackingState::kTracking);
-}
-
-TEST(Covariance, GrowsWithDoubtToAHundredfoldAtMost) {
-  EXPECT_EQ(covariance_factor(1), 1);
-  EXPECT_EQ(covariance_factor(kDoubtfulBelow), 1);
-  EXPECT_NEAR(covariance_factor(kDoubtfulBelow / 2), 4, 1e-9);
-  EXPECT_EQ(covariance_factor(0), 100);
-  EXPECT_EQ(covariance_factor(std::nan("")), 1);
-}
-
 }  // namespace
 }  // namespace edgevo

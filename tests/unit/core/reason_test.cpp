@@ -32,8 +32,7 @@ TEST(Reason, GivesItsNumbers) {
             "translation over 10 frames differs from the corners' by 40 % of its length");
   EXPECT_EQ(to_string(Reason{ReasonKind::kFocalLength, 0.2}),
             "a turn with a focal length that the corners put 20 % off");
-  EXPECT_EQ(to_string(Reason{ReasonKind::kFocalLength, 0.031, 10}),
-            "the images zoom by 3.1 % within 10 frames");
+  EXPECT_EQ(to_string(Reason{ReasonKind::kZoom, 0.031}), "the images zoom by 3.1 % within 10 frames");
   EXPECT_EQ(to_string(Reason{ReasonKind::kStep, 1e9}), "a step of 9999 times the usual one");
 }
 

@@ -11,11 +11,9 @@
 #include "edgevo/core/angle.h"
 #include "edgevo/core/rotation_vector.h"
 #include "edgevo/gyro/gyro_model.h"
-#include "edgevo/map/map_log.h"
-#include "edgevo/places/place_memory.h"
-#include "edgevo/simulation/scene_renderer.h"
 #include "edgevo/visp_bridge/conversions.h"
 #include "edgevo/visp_bridge/servo_params.h"
+#include "map_of_desk.h"
 #include "support/wait.h"
 
 namespace edgevo {
@@ -24,10 +22,10 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const SceneRenderer& desk() {
-  static const SceneRenderer renderer(load_scene("desk"));
-  return renderer;
-}
+using test::desk;
+using test::desk_frame;
+using test::kDeskFrames;
+using test::map_of_desk;
 
 // Returns when the feed has the result of image `index`, or a failure; false after a minute.
 bool wait_for(const ServoFeed& feed, int index) {
@@ -107,27 +105,6 @@ TEST(ServoOdometry, TakesAGyroAsTheOdometryDoes) {
   EXPECT_GT(apart, 0);
 }
 
-constexpr int kFrames = 60;
-
-Frame desk_frame(int i) { return {i, Timestamp::from_seconds(i / 30.0), desk().render_image(i)}; }
-
-// The keyframes of a run over the desk, and its poses.
-std::shared_ptr<const PlaceStore> map_of_desk(edgevo::Run* run) {
-  OdometryOptions options;
-  options.map_log = std::make_shared<MapLog>();
-  const Rectification rectification = rectification_of(desk().camera(), options);
-  auto kept = std::make_shared<PlaceStore>(rectification.target());
-  MapCursor events(options.map_log);
-  PlaceMemory memory(rectification, options.map_log);
-  memory.on_stored([&](const StoredKeyframe& k) { kept->add(k); });
-  Odometry odometry(desk().camera(), servo_odometry_params(), options);
-  for (int i = 0; i < kFrames; ++i) odometry.process(desk_frame(i));
-  odometry.close();
-  for (const auto& event : events.read()) memory.apply(*event);
-  *run = odometry.finish();
-  return kept;
-}
-
 TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
   edgevo::Run before;
   const std::shared_ptr<const PlaceStore> kept = map_of_desk(&before);
@@ -142,7 +119,7 @@ TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
   ServoOdometry odometry(desk().camera(), servo_odometry_params(), {}, &feed, kept);
   ServoOdometry without(desk().camera(), servo_odometry_params(), {}, &feed_without);
   int found = 0;
-  for (int i = kFirst; i < kFrames; ++i) {
+  for (int i = kFirst; i < kDeskFrames; ++i) {
     const Frame frame = desk_frame(i);
     odometry.push(frame.image, frame.time), without.push(frame.image, frame.time);
     ASSERT_TRUE(wait_for(feed, i - kFirst) && wait_for(feed_without, i - kFirst));
@@ -153,7 +130,7 @@ TEST(ServoOdometry, FindsTheCameraInTheMapOfAnEarlierRun) {
     const ServoPose later = feed.pose(Timestamp::from_seconds(frame.time.seconds() + 0.03));
     found += later.cMk && (to_se3(*later.cMk).inverse() * to_se3(*pose.cMk)).translation().norm() > 0;
     const SE3 off = to_se3(*pose.cMk) * *before.frames[size_t(i)].T_world_cam;
-    EXPECT_LT(off.translation().norm(), 0.05 * distance_before(kFirst, kFrames - 1)) << i;
+    EXPECT_LT(off.translation().norm(), 0.05 * distance_before(kFirst, kDeskFrames - 1)) << i;
     EXPECT_LT(off.angle(), rad(1)) << i;
   }
   EXPECT_GE(found, 10);

@@ -73,7 +73,7 @@ enum class ReasonKind : uint8_t {
   kRotationByCorners,
   /// Difference of the translation over ten frames to that of the corners, as a share of its length.
   kTranslationByCorners,
-  /// Error of the focal length by the corners, or its change; and of a change its number of frames.
+  /// Error of the focal length by the corners, as a share.
   kFocalLength,
   /// A turn that hides the translation.
   kTurn,
@@ -88,9 +88,11 @@ enum class ReasonKind : uint8_t {
   /// Standard deviation of the unit of length that the map has carried over the last fifty frames, as a
   /// share.
   kUnitCarried,
+  /// Change of the size of the images over ten frames that no pose explains, as a share.
+  kZoom,
 };
 /// The last kind.
-inline constexpr ReasonKind kLastReasonKind = ReasonKind::kUnitCarried;
+inline constexpr ReasonKind kLastReasonKind = ReasonKind::kZoom;
 
 /// A reason; a number that its kind does not have is NaN.
 struct Reason {

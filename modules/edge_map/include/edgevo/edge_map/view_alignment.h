@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+// What the lines of edges take from tracking: how a frame is aligned, and whether its pose counts.
 #include "edgevo/alignment/alignment_params.h"
 #include "edgevo/confidence/status_params.h"
 

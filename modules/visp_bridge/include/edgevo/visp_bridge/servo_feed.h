@@ -74,6 +74,9 @@ struct ServoPose {
   std::string reason;
   /// Whether the pose in the kept map, cMk, may be used; if not, a robot that follows it must stop.
   bool usable_in_kept = false;
+  /// Whether cMk is that of the newest image by itself (kept_map_pose.h): the map of this run is not found in
+  /// the kept one, or an image contradicts it.
+  bool is_kept_by_image = false;
   /// Tracking state of the newest frame.
   TrackingState state = TrackingState::kBootstrapping;
   /// Probability that the motion around the newest frame is right (NewestPose::p_right); NaN: unknown.
