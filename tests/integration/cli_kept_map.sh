@@ -65,7 +65,7 @@ near_slow() { awk '/^#/ { next } FNR == NR { x[$1] = $2; y[$1] = $3; z[$1] = $4;
 check "poses at their place in the map, of two located frames" "$(near_slow short/trajectory_tum.txt)" -eq 2
 check "of a run that goes on" "$(near_slow longer/trajectory_tum.txt)" -ge 18
 check "live, from the first one on" "$(near_slow longer/trajectory_live_tum.txt)" -ge 18
-complains "omit --scale" "$edgevo" run "$sequence" -o refused --scale factor=3 --map metres
+complains "omit it" "$edgevo" run "$sequence" -o refused --scale factor=3 --map metres
 complains "with --forget" "$edgevo" run "$sequence" -o refused --forget --map metres
 complains "map.db" "$edgevo" run "$sequence" -o refused --map nowhere
 [ ! -e refused ] && ok "nothing is written" || fail "a refused run wrote"

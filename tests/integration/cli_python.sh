@@ -21,7 +21,7 @@ odometry.finish().to_tum(out + "/by_array.txt")
 END
 for name in street desk; do
   run_code 0 python run.py "$scenes/$name" "$name"
-  for file in trajectory_tum.txt trajectory_live_tum.txt trajectory_kitti.txt edges.ply edges.bt grid.pgm covariances.csv graph.csv run.mcap; do
+  for file in trajectory_tum.txt trajectory_live_tum.txt trajectory_kitti.txt edges.ply edges.bt grid.pgm covariances.csv graph.csv run.mcap map.db; do
     same "$name: $file of the program and of Python" "$scenes/runs/$name/$file" "$name/$file"
   done
   same "$name: the poses by arrays" "$scenes/runs/$name/trajectory_tum.txt" "$name/by_array.txt"

@@ -253,7 +253,7 @@ std::optional<TwoViewMotion> estimate_motion_with_turn(const Pinhole& pinhole,
   }
   if (most == 0) return std::nullopt;
   TwoViewMotion m = refined(pinhole, first, last, ransac_px, start, best, &turn);
-  m.model = "gyro";
+  m.model = "a known turn";
   return m;
 }
 

@@ -109,7 +109,7 @@ void CEdgeVoSensor::open_odometry() {
   options.map_log = std::make_shared<MapLog>();
   if (!config_.map.empty())
     earlier_.emplace(config_.map, rectification_of(grabber_->camera(), options).target(),
-                     config_.metres_per_unit);
+                     config_.metres_per_unit > 0 ? "metres_per_unit" : "");
   for (const std::string& line : earlier_ ? earlier_->warnings() : std::vector<std::string>()) say(line);
   PastParams params;
   params.kept = earlier_ ? earlier_->places() : nullptr;
@@ -163,7 +163,9 @@ FrameRecord CEdgeVoSensor::track(const Grab& grab) {
 void CEdgeVoSensor::follow_past() {
   past_->follow();
   const auto events = events_->read();
-  if (!earlier_ || !earlier_->is_placed_by(events)) return;
+  if (!earlier_ || earlier_->is_placed()) return;
+  earlier_->follow(events);
+  if (!earlier_->is_placed()) return;
   if (earlier_->is_metric()) observations_->set_metres();
   say("found in the map " + config_.map + ", whose frame and unit the poses in `map` have" +
       (earlier_->is_metric() ? " (metres)" : ""));

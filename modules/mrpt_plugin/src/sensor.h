@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "earlier_map.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/run_loop/gyro_feed.h"
+#include "edgevo/run_loop/kept_places.h"
 #include "edgevo/run_loop/past_follower.h"
 #include "live_observations.h"
 #include "recording_tail.h"
@@ -57,7 +57,7 @@ class CEdgeVoSensor : public mrpt::hwdrivers::CGenericSensor {
   SensorConfig config_;
   std::string images_folder_;
   std::unique_ptr<Grabber> grabber_;
-  std::optional<EarlierMap> earlier_;
+  std::optional<KeptPlaces> earlier_;
   std::optional<PastFollower> past_;  // of odometry_
   std::optional<MapCursor> events_;
   std::unique_ptr<Odometry> odometry_;

@@ -201,6 +201,7 @@ class Odometry:
         log: Union[Callable[[str], object], None] = ...,
         *,
         forget: bool = ...,
+        map: Union[_Path, None] = ...,
     ) -> None: ...
     @overload
     def process(self, image: _Image, time: _Time) -> Record: ...
@@ -209,6 +210,8 @@ class Odometry:
     def add_gyro(self, time: _Time, rate: Union[Sequence[float], _Floats]) -> None: ...
     @property
     def gyro(self) -> str: ...
+    @property
+    def is_in_map(self) -> bool: ...
     def finish(self) -> Run: ...
 
 class Evaluation:
@@ -266,6 +269,7 @@ def run(
     *,
     scale: str = ...,
     log: Union[Callable[[str], object], None] = ...,
+    map: Union[_Path, None] = ...,
 ) -> Run: ...
 def open_source(
     path: _Path,

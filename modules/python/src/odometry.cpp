@@ -8,6 +8,8 @@
 #include "edgevo/core/error.h"
 #include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/rectification.h"
+#include "edgevo/places/view_locator.h"
+#include "edgevo/run_loop/kept_places.h"
 #include "edgevo/run_loop/past_follower.h"
 #include "edgevo/scale/up_direction.h"
 #include "event.h"
@@ -27,12 +29,14 @@ class PyOdometry {
   FrameRecord process(const Arguments& a);
   void add_gyro(const Arguments& a);
   std::string gyro();
+  bool is_in_map();
   PyRun finish();
 
  private:
   void require_open(const char* where) const;
   void read_frame(const Arguments& a);
   void check_time(const Arguments& a) const;
+  void open(const std::string& map);
   void follow(const FrameRecord& record);
   void report(const FrameRecord& record);
 
@@ -44,6 +48,9 @@ class PyOdometry {
   RunInfo info_;
   std::optional<RunRecorder> recorder_;
   std::optional<MapCursor> events_;
+  std::optional<KeptPlaces> kept_;
+  std::optional<MapCursor> placements_;  // for kept_
+  std::vector<StoredKeyframe> keyframes_;
   std::optional<PastFollower> past_;  // as run_odometry(): equal frames give equal bytes
   std::unique_ptr<Odometry> odometry_;
   ImageInput images_;
@@ -72,9 +79,24 @@ PyOdometry::PyOdometry(const Arguments& a)
   info_ = describe_run(camera_, params_, options_);
   if (!options_.forget) recorder_.emplace(options_.map_log);
   if (on_event_) events_.emplace(options_.map_log);
+  const std::string map = a.has("map") ? a.path("map") : "";
   const py::gil_scoped_release released;
-  past_.emplace(camera_, std::nullopt, options_,
-                PastParams{params_.scale, params_.places, nullptr, {}, {}, {}});
+  open(map);
+}
+
+// Without the GIL.
+void PyOdometry::open(const std::string& map) {
+  PastParams past{params_.scale, params_.places, nullptr, {}, {}, {}};
+  if (!map.empty()) {
+    kept_ = read_map_for(map, camera_, options_, "");
+    for (const std::string& line : kept_->warnings()) lines_.add(line);
+    placements_.emplace(options_.map_log);
+    past.kept = kept_->places();
+    options_.locate = locate_in(past.kept);
+  }
+  // Called in the thread that recognises places; read after it has ended.
+  if (!options_.forget) past.on_stored = [this](const StoredKeyframe& k) { keyframes_.push_back(k); };
+  past_.emplace(camera_, std::nullopt, options_, past);
   odometry_ = std::make_unique<Odometry>(camera_, params_.odometry, options_);
 }
 
@@ -116,6 +138,7 @@ void PyOdometry::read_frame(const Arguments& a) {
 // Without the GIL.
 void PyOdometry::follow(const FrameRecord& record) {
   past_->follow();
+  if (kept_) kept_->follow(placements_->read());
   if (recorder_) recorder_->add(record, frame_.image_path);
   newest_ = Frame{frame_.index, frame_.time, {}, {}};
 }
@@ -159,6 +182,11 @@ std::string PyOdometry::gyro() {
   return odometry_->gyro().statement;
 }
 
+bool PyOdometry::is_in_map() {
+  const InUse::Call call(in_use_, "Odometry.is_in_map");
+  return kept_ && kept_->is_placed();
+}
+
 PyRun PyOdometry::finish() {
   const InUse::Call call(in_use_, "Odometry.finish()");
   require_open("Odometry.finish()");
@@ -171,6 +199,8 @@ PyRun PyOdometry::finish() {
     contents->run = odometry_->finish();
     odometry_.reset();
     if (const auto up = decide_up(&contents->run)) info_.input.push_back(*up);
+    if (kept_) finish_in_map(*kept_, &contents->run, [this](const std::string& line) { lines_.add(line); });
+    contents->keyframes = std::move(keyframes_);
     if (recorder_)
       contents->frames = recorder_->take_frames(), contents->events_at_end = recorder_->take_events();
     contents->camera = camera_, contents->info = info_, contents->map = params_.map;
@@ -190,9 +220,11 @@ void add_odometry(py::module_& module) {
       "params: dict of names and values (params()); seed: equal seeds give equal results; realtime:\n"
       "tracks and maps in threads of their own, for a live camera; on_event(event): called with each Event;\n"
       "log(line): called with a str; forget: keeps nothing in memory, for runs of any length: finish() then\n"
-      "returns the newest frames only. Callbacks are called in the thread of process(), after the frame.");
+      "returns the newest frames only; map: folder of an earlier run, or its map.db, in which this one is\n"
+      "placed. Callbacks are called in the thread of process(), after the frame.");
   define_init(odometry,
-              "Odometry(camera, params={}, seed=1, realtime=False, on_event=None, log=None, *, forget=False)",
+              "Odometry(camera, params={}, seed=1, realtime=False, on_event=None, log=None, *, forget=False, "
+              "map=None)",
               [](const Arguments& a) { return std::make_unique<PyOdometry>(a); });
   define(
       odometry, "Odometry.process(image, time=None)",
@@ -211,6 +243,9 @@ void add_odometry(py::module_& module) {
       "and the tenth of a second after it before process(). How it sits is found from the motion.");
   odometry.def_property_readonly("gyro", &PyOdometry::gyro,
                                  "How the gyro sits and what is wrong with it, in words; empty without one.");
+  odometry.def_property_readonly(
+      "is_in_map", &PyOdometry::is_in_map,
+      "Whether poses are in the frame and unit of `map` by now: after the T of the newest event \"placed\".");
   define(
       odometry, "Odometry.finish()", [](PyOdometry& o, const Arguments&) { return o.finish(); },
       "Ends the run and returns it.");

@@ -6,6 +6,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/params.h"
+#include "edgevo/core/rectification.h"
 #include "edgevo/core/target_pinhole.h"
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/frame_evaluation/reported_frame.h"
@@ -57,6 +58,16 @@ OdometryOptions odometry_options(const Camera& camera, uint64_t seed) {
   return options;
 }
 
+KeptPlaces read_map_for(const std::string& path, const Camera& camera, const OdometryOptions& options,
+                        const std::string& scale) {
+  return {path, rectification_of(camera, options).target(), scale};
+}
+
+void finish_in_map(const KeptPlaces& map, Run* run, const std::function<void(const std::string&)>& say) {
+  map.give_unit(run);
+  say(map.statement(*run));
+}
+
 RunInfo describe_run(const Camera& camera, const RunParams& given, const OdometryOptions& options) {
   RunParams params = given;
   RunInfo info;
@@ -76,12 +87,14 @@ void write_run(const RunContents& contents, const std::string& folder) {
     throw InputError(folder, "the run was read from " + contents.folder, "its files are there");
   OutputOptions options;
   if (!contents.frames.empty()) options.mcap = McapContent::kPoses;
+  options.keep_map = !contents.keyframes.empty();
   RunOutputs outputs(folder, contents.camera, contents.map, options);
   const auto log = std::make_shared<MapLog>();
   if (!contents.frames.empty())
     outputs.keep_recovery_log({contents.info, contents.scale, contents.tracks, contents.run.T_vehicle_cam},
                               log);
   replay(contents, log, &outputs);
+  for (const StoredKeyframe& keyframe : contents.keyframes) outputs.add_keyframe(keyframe);
   outputs.finish(contents.run, contents.info);
 }
 

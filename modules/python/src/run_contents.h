@@ -2,6 +2,7 @@
 #pragma once
 // A finished run with all that its files need: a Run of C++, how it came about, and the events of its map,
 // from which run.mcap is written.
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,8 +12,10 @@
 #include "edgevo/core/records.h"
 #include "edgevo/map/map_log.h"
 #include "edgevo/odometry/odometry.h"
+#include "edgevo/places/place_store.h"
 #include "edgevo/report/run_info.h"
 #include "edgevo/results/run_params.h"
+#include "edgevo/run_loop/kept_places.h"
 
 namespace edgevo::python {
 
@@ -60,6 +63,8 @@ struct RunContents {
   VehicleTracks tracks;
   /// Frame by frame; empty: not kept.
   std::vector<RecordedFrame> frames;
+  /// Its keyframes with their places, for map.db.
+  std::vector<StoredKeyframe> keyframes;
   /// What happened after the last of them.
   std::vector<std::shared_ptr<const MapEvent>> events_at_end;
   /// Folder that it was read from; empty: it was not.
@@ -68,6 +73,13 @@ struct RunContents {
 
 /// The options that both run() and Odometry have: those of `edgevo run`, with a log of its own.
 OdometryOptions odometry_options(const Camera& camera, uint64_t seed);
+
+/// Reads the map of an earlier run for one of this camera; `scale`: as KeptPlaces takes it. Throws
+/// InputError.
+KeptPlaces read_map_for(const std::string& path, const Camera& camera, const OdometryOptions& options,
+                        const std::string& scale);
+/// Gives a finished run the unit of the map, and says whether it was found there.
+void finish_in_map(const KeptPlaces& map, Run* run, const std::function<void(const std::string&)>& say);
 
 /// What summary.yaml says besides the results.
 RunInfo describe_run(const Camera& camera, const RunParams& params, const OdometryOptions& options);

@@ -81,7 +81,7 @@ void PythonSide::end() {
 struct Request {
   RunParams params;
   uint64_t seed = 1;
-  std::string scale = "none";
+  std::string scale = "none", map;
 };
 
 class SourceRun {
@@ -97,6 +97,8 @@ class SourceRun {
   const Request& request_;
   PythonSide& python_;
   RunLoopOptions options_;
+  std::optional<KeptPlaces> kept_;
+  std::vector<StoredKeyframe> keyframes_;
   RunScaling scaling_;
   MapCursor scale_events_;
   RunRecorder recorder_;
@@ -122,7 +124,14 @@ SourceRun::SourceRun(ImageSource& source, const Request& request, PythonSide& py
       scaling_(parse_scale_sources(request.scale), source,
                rectification_of(source.camera(), options_.odometry).target(), request.params.scale),
       scale_events_(options_.odometry.map_log),
-      recorder_(options_.odometry.map_log) {}
+      recorder_(options_.odometry.map_log) {
+  options_.past.on_stored = [this](const StoredKeyframe& k) { keyframes_.push_back(k); };
+  if (request.map.empty()) return;
+  kept_ = read_map_for(request.map, source.camera(), options_.odometry,
+                       request.scale == "none" ? "" : "scale=\"" + request.scale + "\"");
+  for (const std::string& line : kept_->warnings()) python.say(line);
+  options_.past.kept = kept_->places();
+}
 
 bool SourceRun::after_frame(const ProcessedFrame& frame) {
   recorder_.add(frame.record, frame.frame.image_path);
@@ -145,6 +154,8 @@ RunContents SourceRun::track() {
   contents.run = std::move(result.run);
   if (const auto up = decide_up(&contents.run, by_gravity)) contents.info.input.push_back(*up);
   scaling_.convert(&contents.run);
+  if (kept_) finish_in_map(*kept_, &contents.run, [this](const std::string& line) { python_.say(line); });
+  contents.keyframes = std::move(keyframes_);
   contents.frames = recorder_.take_frames();
   contents.events_at_end = recorder_.take_events();
   return contents;
@@ -173,8 +184,8 @@ PyRun run(const Arguments& a) {
   std::unique_ptr<PySource> opened;
   PySource& source = source_argument(a, &opened);
   const InUse::Call call(source.in_use, "run()");
-  const Request request{run_params(a, "params"), a.seed("seed", 1),
-                        a.has("scale") ? a.text("scale") : "none"};
+  const Request request{run_params(a, "params"), a.seed("seed", 1), a.has("scale") ? a.text("scale") : "none",
+                        a.has("map") ? a.path("map") : ""};
   PythonSide python(a);
   std::unique_ptr<ImageSource> of_user;
   if (source.source)
@@ -197,11 +208,13 @@ PyRun run(const Arguments& a) {
 
 void add_run_function(py::module_& module) {
   define_function(
-      module, "run(source, params={}, seed=1, progress=None, *, scale='none', log=None)", run,
+      module, "run(source, params={}, seed=1, progress=None, *, scale='none', log=None, map=None)", run,
       "Runs a source to its end and returns the Run, with the poses of `edgevo run` to the last bit.\n\n"
       "source: a path as for open_source(), or a Source; params: dict of names and values (params());\n"
       "seed: equal seeds give equal results; progress(done, total): called after each frame, total may be\n"
-      "None; scale: source of metres, such as 'camera_height=1.65'; log(line): called with a str. What a\n"
+      "None; scale: source of metres, such as 'camera_height=1.65'; log(line): called with a str; map: "
+      "folder\n"
+      "of an earlier run, or its map.db, whose frame and unit the run gets where it is recognised. What a\n"
       "callback raises, and Ctrl-C, ends the run and comes out. The GIL is released meanwhile.");
 }
 

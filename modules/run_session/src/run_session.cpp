@@ -11,11 +11,11 @@
 #include "edgevo/detectors/all_detectors.h"
 #include "edgevo/files/output_folder.h"
 #include "edgevo/kept_map/map_file_writer.h"
+#include "edgevo/run_loop/kept_places.h"
 #include "edgevo/run_quality/closing_lines.h"
 #include "edgevo/run_quality/run_statistics.h"
 #include "edgevo/scale/run_scaling.h"
 #include "edgevo/scale/up_direction.h"
-#include "kept_places.h"
 #include "run_description.h"
 #include "trace_file.h"
 
@@ -125,7 +125,8 @@ void RunSession::extend_kept_map(const Run& run) {
 void RunSession::read_kept_map() {
   if (request_.map.empty()) return;
   check_map_request();
-  kept_map_.emplace(request_.map, request_.scale, rectification_of(source_->camera(), odometry_).target());
+  kept_map_.emplace(request_.map, rectification_of(source_->camera(), odometry_).target(),
+                    request_.scale == "none" ? "" : "--scale " + request_.scale);
   for (const std::string& line : kept_map_->warnings()) warn("edgevo: " + line);
 }
 

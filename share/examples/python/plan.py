@@ -1,12 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A path back to where a drive began, planned in its map.
+"""A path in a map: of a drive, back to where it began; or of an earlier one, to where that ended.
 
-    plan.py SOURCE CAMERA_HEIGHT RADIUS OUT.txt
+    plan.py SOURCE RADIUS OUT.txt --camera-height METRES
+    plan.py SOURCE RADIUS OUT.txt --map EARLIER
 
-Runs SOURCE with the height of the camera over the ground (metres) as scale, and plans on the grid for a round robot:
-cells that are occupied, unknown or closer than RADIUS to an occupied one are not crossed. OUT.txt: x y in metres.
+The first runs SOURCE, with the height of the camera over the ground as scale. The second plans in the map of EARLIER,
+the folder of a run, from where the first images of SOURCE are found in it, and says how far the camera is from the path
+and from its end. The path is in the axes of that map: when places or loops move the camera, it stays where it is.
+
+The robot is round: cells that are occupied, unknown or closer than RADIUS to an occupied one are not crossed. OUT.txt:
+x y in the unit of the map.
 """
 
+import argparse
 import heapq
 import sys
 from typing import Optional
@@ -16,6 +22,7 @@ import numpy as np
 import numpy.typing as npt
 
 Cell = tuple[int, int]  # row, column
+_Floats = npt.NDArray[np.float64]
 
 
 def open_cells(grid: npt.NDArray[np.int8], cells: int) -> npt.NDArray[np.bool_]:
@@ -67,39 +74,97 @@ def shortest(is_open: npt.NDArray[np.bool_], start: Cell, goal: Cell) -> Optiona
     return None
 
 
-def main(arguments: list[str]) -> int:
-    if len(arguments) != 4:
-        print(__doc__)
-        return 2
-    source, height, radius, out = arguments[0], arguments[1], float(arguments[2]), arguments[3]
-    run = edgevo.run(source, scale=f"camera_height={height}")
+class Planner:
+    """Paths in the map of a run."""
+
+    def __init__(self, run: edgevo.Run, radius: float) -> None:
+        self.T_map_world = run.T_map_world
+        self.map = edgevo.Map(run)
+        self.is_open = open_cells(self.map.grid, int(np.ceil(radius / self.map.resolution)))
+        print(f"{self.map}; {self.map.unit}")
+
+    def position(self, T_world_cam: _Floats) -> _Floats:
+        """Of the camera in the axes of the map: x forward, z up."""
+        in_map: _Floats = (self.T_map_world @ T_world_cam)[:3, 3]
+        return in_map
+
+    def cell_of(self, position: _Floats) -> Cell:
+        column, row = ((position[:2] - self.map.origin) / self.map.resolution).astype(int)
+        return nearest(self.is_open, (int(row), int(column)))
+
+    def plan(self, start: _Floats, goal: _Floats, out: str) -> _Floats:
+        cells = shortest(self.is_open, self.cell_of(start), self.cell_of(goal))
+        if cells is None:
+            raise SystemExit("plan.py: no path found")
+        path: _Floats = (np.array(cells)[:, ::-1] + 0.5) * self.map.resolution + self.map.origin
+        np.savetxt(out, path, fmt="%.3f")
+        at_camera = np.column_stack([path, np.full(len(path), goal[2])])
+        nearest_edge = self.map.distance(at_camera).min()
+        print(f"{len(path)} points; at the height of the camera {nearest_edge:.2f} from an edge")
+        return path
+
+
+def plan_back(arguments: argparse.Namespace) -> int:
+    run = edgevo.run(arguments.source, scale=f"camera_height={arguments.camera_height}")
     if not run.is_metric:
         print(f"plan.py: no metres: {run.scale_problem}", file=sys.stderr)
         return 1
-    plan_map = edgevo.Map(run)
-    print(f"{plan_map}; {plan_map.unit}")
-
-    # Positions of the camera in the axes of the map: x forward, z up.
-    positions = run.poses[~np.isnan(run.poses[:, 0, 0]), :3, 3] @ run.T_map_world[:3, :3].T + run.T_map_world[:3, 3]
-    is_open = open_cells(plan_map.grid, int(np.ceil(radius / plan_map.resolution)))
-
-    def cell_of(position: npt.NDArray[np.float64]) -> Cell:
-        column, row = ((position[:2] - plan_map.origin) / plan_map.resolution).astype(int)
-        return nearest(is_open, (int(row), int(column)))
-
-    path = shortest(is_open, cell_of(positions[-1]), cell_of(positions[0]))
-    if path is None:
-        print("no path found")
-        return 1
-    xy = (np.array(path)[:, ::-1] + 0.5) * plan_map.resolution + plan_map.origin
-    at_camera = np.column_stack([xy, np.full(len(xy), positions[0, 2])])
-    np.savetxt(out, xy, fmt="%.3f")
-    print(f"{len(path)} points; at the height of the camera {plan_map.distance(at_camera).min():.2f} from an edge")
+    planner = Planner(run, arguments.radius)
+    poses = run.poses[~np.isnan(run.poses[:, 0, 0])]
+    planner.plan(planner.position(poses[-1]), planner.position(poses[0]), arguments.out)
     return 0
+
+
+class Drive:
+    """A drive in the map of an earlier one: where it is, and where on its path."""
+
+    def __init__(self, arguments: argparse.Namespace) -> None:
+        earlier = edgevo.load_run(arguments.map)
+        self.planner, self.out = Planner(earlier, arguments.radius), arguments.out
+        self.goal = self.planner.position(earlier.poses[~np.isnan(earlier.poses[:, 0, 0])][-1])
+        self.source = edgevo.open_source(arguments.source)
+        self.odometry = edgevo.Odometry(self.source.camera, map=arguments.map, on_event=self.take, log=print)
+        self.T_world_odom: _Floats = np.eye(4)
+        self.path: Optional[_Floats] = None
+
+    def take(self, event: edgevo.Event) -> None:
+        if event.kind == "placed" and event.T is not None:
+            self.T_world_odom = event.T
+
+    def follow(self, frame: edgevo.Frame) -> None:
+        record = self.odometry.process(frame)
+        if record.T_world_cam is None or not self.odometry.is_in_map:
+            return
+        position = self.planner.position(self.T_world_odom @ record.T_world_cam)
+        if self.path is None:
+            self.path = self.planner.plan(position, self.goal, self.out)
+        away = np.linalg.norm(self.path - position[:2], axis=1)
+        rest = np.linalg.norm(np.diff(self.path[away.argmin() :], axis=0), axis=1).sum()
+        x, y = position[:2]
+        print(f"frame {frame.index}: at {x:.2f} {y:.2f}, {away.min():.2f} from the path, {rest:.2f} to go")
+
+    def to_the_end(self) -> int:
+        for frame in self.source:
+            self.follow(frame)
+        if self.path is None:
+            print("plan.py: the camera was not found in the map", file=sys.stderr)
+        return 0 if self.path is not None else 1
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("source")
+    parser.add_argument("radius", type=float)
+    parser.add_argument("out")
+    where = parser.add_mutually_exclusive_group(required=True)
+    where.add_argument("--camera-height", type=float, metavar="METRES")
+    where.add_argument("--map", metavar="EARLIER")
+    arguments = parser.parse_args()
+    return Drive(arguments).to_the_end() if arguments.map else plan_back(arguments)
 
 
 if __name__ == "__main__":
     try:
-        sys.exit(main(sys.argv[1:]))
+        sys.exit(main())
     except edgevo.InputError as error:
         sys.exit(f"plan.py: {error}")

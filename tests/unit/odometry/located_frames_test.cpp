@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 #include <variant>
 
 #include "edgevo/map/located_pose.h"
@@ -41,6 +42,7 @@ struct Located {
   edgevo::Run run;
   int first_map = -1;          // frame of the first pose that is not by itself
   std::set<NodeId> keyframes;  // that are places of the kept map
+  std::string log;
 };
 
 // Frames from kBegin on, those from `from` on located.
@@ -51,11 +53,12 @@ Located follow(int from) {
   options.locate = [&](const FramePyramid&) {
     return frame >= from ? std::optional(located(frame)) : std::nullopt;
   };
+  Located f;
+  options.log = [&](const std::string& line) { f.log += line + "\n"; };
   OdometryParams params;
   params.edge_map.mode = "off";
   MapCursor cursor(options.map_log);
   Odometry odometry(sweep_camera(), params, options);
-  Located f;
   for (; frame < kEnd; ++frame) {
     odometry.process(sweep_frame(frame));
     if (f.first_map < 0 && odometry.newest_pose().T_cam_map) f.first_map = frame;
@@ -74,6 +77,11 @@ TEST(LocatedFrames, TheFirstMapWaitsForImagesThatMayBeLocated) {
   EXPECT_GE(never.first_map, kBegin + kImagesToLocate - 1);
   EXPECT_LT(never.first_map, kBegin + 2 * kImagesToLocate);
   EXPECT_TRUE(never.keyframes.empty());
+}
+
+TEST(LocatedFrames, TheTurnBetweenThemTakesPartInTheFirstMotion) {
+  EXPECT_NE(follow(kBegin).log.find("motion by a known turn"), std::string::npos);
+  EXPECT_EQ(follow(kEnd).log.find("known turn"), std::string::npos);
 }
 
 TEST(LocatedFrames, KeyframesOfAYoungMapArePlacesOfTheKeptOne) {

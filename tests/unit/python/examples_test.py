@@ -2,6 +2,7 @@
 """The examples of share/examples/python and the pages, as a user runs them."""
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -43,14 +44,31 @@ class Examples(unittest.TestCase):
         self.assertRegex(checked.stdout, r"(?m)^ *[23][0-9] /edgevo/pose ")
         self.assertRegex(checked.stdout, r"(?m)^ *1 /edgevo/path ")
 
+    def plan(self, *where: str) -> "subprocess.CompletedProcess[str]":
+        return start(EXAMPLES / "plan.py", self.folder, "0.8", "path.txt", *where, folder=self.folder)
+
     def test_plan(self) -> None:
         scene.write_folder(edgevo.simulate("street", frames=(0, 50)), self.folder)
-        done = start(EXAMPLES / "plan.py", self.folder, "1.65", "0.8", "path.txt", folder=self.folder)
+        done = self.plan("--camera-height", "1.65")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         path = np.loadtxt(f"{self.folder}/path.txt")
         # From where the drive ended to where it began, along x, in metres.
         self.assertGreater(path[0, 0] - path[-1, 0], 30)
         self.assertLess(np.linalg.norm(np.diff(path, axis=0), axis=1).max(), 1)
+
+    def test_plan_in_an_earlier_map(self) -> None:
+        scene.write_folder(edgevo.simulate("street", frames=(0, 50)), self.folder)
+        run = edgevo.run(self.folder, scale="camera_height=1.65")
+        run.save(f"{self.folder}/earlier")
+        done = self.plan("--map", "earlier")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        found = [float(number) for number in re.findall(r"-?\d+\.\d\d", done.stdout.splitlines()[-1])]
+        x, y, from_path, to_go = found
+        # At its end, in the axes of the map, as the earlier drive was there.
+        end = (run.T_map_world @ run.poses[-1])[:2, 3]
+        self.assertLess(np.linalg.norm(end - (x, y)), 0.2)
+        self.assertLess(from_path, 1)
+        self.assertLess(to_go, 1)
 
     def test_evo_plot(self) -> None:
         done = start(EXAMPLES / "evo_plot.py", "source", "truth.txt", "plot.png", folder=self.folder)

@@ -26,7 +26,7 @@ struct TwoViewMotion {
   const char* model = "essential matrix";
 };
 
-/// Rotation between two views that another sensor has measured, such as a gyro.
+/// Rotation between two views that is known: of a gyro, or since both were located in a map.
 struct TurnOfViews {
   /// From the first view to the last.
   Eigen::Quaterniond R_last_first = Eigen::Quaterniond::Identity();

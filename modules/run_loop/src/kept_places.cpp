@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "kept_places.h"
+#include "edgevo/run_loop/kept_places.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/record_units.h"
@@ -52,14 +53,25 @@ double unit_sigma(const Run& run) {
 
 }  // namespace
 
-KeptPlaces::KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole)
+KeptPlaces::KeptPlaces(const std::string& path, const Pinhole& pinhole, const std::string& scale)
     : path_(path) {
   KeptMap map = read_finished_map(path, pinhole);
-  if (map.is_metric() && scale != "none")
-    throw InputError("--scale " + scale, "the map " + path_ + " has metres of its own", "omit --scale");
+  if (map.is_metric() && !scale.empty())
+    throw InputError(scale, "the map " + path_ + " has metres of its own", "omit it");
   is_metric_ = map.is_metric(), scale_sigma_ = map.scale_sigma;
   warnings_ = std::move(map.warnings);
   places_ = std::make_shared<PlaceStore>(std::move(map.store));
+}
+
+void KeptPlaces::follow(const std::vector<std::shared_ptr<const MapEvent>>& events) {
+  for (const auto& event : events) {
+    if (const auto* added = std::get_if<ConstraintAdded>(event.get());
+        added && added->constraint.from == NodeId::world())
+      found_.insert(added->id);
+    if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(event.get())) found_.erase(withdrawn->id);
+    if (const auto* placed = std::get_if<EpochsPlaced>(event.get()))
+      is_placed_ |= !found_.empty() && *found_.begin() <= placed->newest_constraint;
+  }
 }
 
 bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
-// The map of an earlier run that a run is placed in.
+// The map of an earlier run that a run is placed in: PastParams::kept, and what follows from it.
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "edgevo/core/camera.h"
 #include "edgevo/core/records.h"
+#include "edgevo/map/map_event.h"
 #include "edgevo/map/map_graph.h"
 #include "edgevo/places/place_store.h"
 
@@ -15,16 +18,23 @@ namespace edgevo {
 class KeptPlaces {
  public:
   /// Reads `path`, a map.db or the folder of a run. Throws InputError if it cannot be read, is of another
-  /// camera than `pinhole`, is not finished, or if `scale` requests metres while the map has metres of its
-  /// own.
-  KeptPlaces(const std::string& path, const std::string& scale, const Pinhole& pinhole);
+  /// camera than `pinhole`, is not finished, or has metres of its own while the run gets some of `scale`, in
+  /// the caller's words; empty: it gets none.
+  KeptPlaces(const std::string& path, const Pinhole& pinhole, const std::string& scale);
 
   /// Its places.
   std::shared_ptr<const PlaceStore> places() const { return places_; }
   /// What is damaged in the file, a line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
+  /// Whether its lengths are metres.
+  bool is_metric() const { return is_metric_; }
 
-  /// Whether the run was found in the map.
+  /// Takes events of the run, in their order, while it goes on.
+  void follow(const std::vector<std::shared_ptr<const MapEvent>>& events);
+  /// Whether the events so far place the run in the frame and unit of this map.
+  bool is_placed() const { return is_placed_; }
+
+  /// Whether a finished run was found in the map.
   bool is_found(const Run& run) const;
   /// Gives metres to a run that was found in a map of metres.
   void give_unit(Run* run) const;
@@ -38,7 +48,8 @@ class KeptPlaces {
   std::string path_;
   std::shared_ptr<const PlaceStore> places_;
   std::vector<std::string> warnings_;
-  bool is_metric_ = false;
+  std::set<int> found_;  // the constraints that say where the run is
+  bool is_metric_ = false, is_placed_ = false;
   double scale_sigma_ = 0;
 };
 
