@@ -91,6 +91,8 @@ check "trajectories of these that differ from that of a run that ended there" "$
 # that ends there recognises them, and its trajectory is another.
 killed loops 150
 run_code 0 "$edgevo" finish loops
+made=$(awk -F, 'NR > 1 && $5 == 1' loops/frames.csv | wc -l)
+check "keyframes of map.db, of $made" "$("$edgevo" info loops/map.db | sed -n 's/^keyframes *\([0-9]*\) .*/\1/p')" -ge $((made - 1))
 check "links of the map to its own past" "$(grep -c '^place,' loops/graph.csv)" -ge 5
 below "ATE in metres of the way there" "$(ate loops "$sequence")" 0.3
 

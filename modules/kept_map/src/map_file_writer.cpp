@@ -85,7 +85,8 @@ MapFileWriter::MapFileWriter(const std::string& path) {
 MapFileWriter::~MapFileWriter() = default;
 
 void MapFileWriter::add(const StoredKeyframe& keyframe) {
-  if (!keyframe.view || keyframe.record->is_doubtful) return;
+  if (!keyframe.view || keyframe.record->is_doubtful)
+    return attempt(impl_->path, [&] { impl_->keyframes->remove(keyframe.id); });
   const std::string place = bytes_of(KeyframePlace{keyframe.id, keyframe.epoch, *keyframe.record}),
                     view = bytes_of(*keyframe.view);
   attempt(impl_->path, [&] {

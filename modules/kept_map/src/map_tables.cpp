@@ -72,11 +72,14 @@ std::optional<MapTexts> read_texts(Database* database) {
 }
 
 KeyframeRows::KeyframeRows(Database* database)
-    : put_(database->statement("INSERT OR REPLACE INTO keyframes(id, place, view) VALUES(?, ?, ?)")) {}
+    : put_(database->statement("INSERT OR REPLACE INTO keyframes(id, place, view) VALUES(?, ?, ?)")),
+      remove_(database->statement("DELETE FROM keyframes WHERE id = ?")) {}
 
 void KeyframeRows::put(int id, std::string_view place, std::string_view view) {
   put_.bind(1, id).bind_bytes(2, place).bind_bytes(3, view).execute();
 }
+
+void KeyframeRows::remove(int id) { remove_.bind(1, id).execute(); }
 
 std::string bytes_of(const Constraint& constraint) {
   std::string bytes;

@@ -30,16 +30,18 @@ void write_texts(Database* database, const MapTexts& texts);
 /// The texts; nothing if they are damaged. Throws DatabaseError.
 std::optional<MapTexts> read_texts(Database* database);
 
-/// Appends or replaces a row of keyframes.
+/// Appends, replaces or removes rows of keyframes.
 class KeyframeRows {
  public:
   /// Throws DatabaseError, as all below.
   explicit KeyframeRows(Database* database);
   /// Writes a row.
   void put(int id, std::string_view place, std::string_view view);
+  /// Removes a row, if there is one.
+  void remove(int id);
 
  private:
-  Statement put_;
+  Statement put_, remove_;
 };
 
 /// A constraint as bytes: nodes, kind, motion, covariance.

@@ -59,8 +59,8 @@ void PlaceMemory::handle(const EpochBegan& e) {
 void PlaceMemory::handle(const KeyframeMarginalised& e) {
   StoredKeyframe k{e.id, 0, e.keyframe, nullptr, std::nullopt};
   if (!e.neighbours.empty()) k.next = e.neighbours.front();
-  if (e.pyramid && !e.keyframe->is_doubtful)
-    k.view = std::make_shared<const RememberedView>(remember_view(*e.pyramid));
+  if (e.pyramid && !e.keyframe->is_doubtful) k.view = view_of(e.id, *e.pyramid);
+  views_.erase(e.id), passed_on_.erase(e.id);
   remember(std::move(k));
 }
 
@@ -86,7 +86,22 @@ void PlaceMemory::begin_young() {
   }
 }
 
+// Each is made once, of a keyframe in the window or when it leaves it.
+std::shared_ptr<const RememberedView> PlaceMemory::view_of(int id, const FramePyramid& pyramid) {
+  std::shared_ptr<const RememberedView>& view = views_[id];
+  if (!view) view = std::make_shared<const RememberedView>(remember_view(pyramid));
+  return view;
+}
+
+void PlaceMemory::pass_on_young(const WindowAdjusted& e) {
+  for (const WindowAdjusted::Active& k : *e.keyframes)
+    if (k.pyramid && !k.keyframe.is_doubtful && passed_on_.insert(k.id).second)
+      on_young_({k.id, int(first_of_epoch_.size()), std::make_shared<const KeyframeRecord>(k.keyframe),
+                 view_of(k.id, *k.pyramid), std::nullopt});
+}
+
 void PlaceMemory::handle(const WindowAdjusted& e) {
+  if (e.keyframes && on_young_) pass_on_young(e);
   if (!looks_up_ || !e.keyframes || !(own_.is_sought || kept_.is_sought)) return;
   const size_t first_new = young_.size();
   for (const WindowAdjusted::Active& k : *e.keyframes) take_young(k);
@@ -101,8 +116,7 @@ void PlaceMemory::take_young(const WindowAdjusted::Active& active) {
       std::find_if(all.begin(), all.end(), [&](const StoredKeyframe& k) { return k.id == active.id; });
   if (same != all.end()) return young_.update(size_t(same - all.begin()), active.keyframe);
   StoredKeyframe k{active.id, 0, std::make_shared<const KeyframeRecord>(active.keyframe), nullptr, {}};
-  if (active.pyramid && !active.keyframe.is_doubtful)
-    k.view = std::make_shared<const RememberedView>(remember_view(*active.pyramid));
+  if (active.pyramid && !active.keyframe.is_doubtful) k.view = view_of(active.id, *active.pyramid);
   young_.add(std::move(k));
 }
 
@@ -115,6 +129,7 @@ void PlaceMemory::finish() {
 
 void PlaceMemory::handle(const MapMoved& e) {
   store_.move(rectification_, e);
+  passed_on_.clear();
   if (!e.lens) return;
   for (const StoredKeyframe& k : store_.keyframes())
     if (k.record->segment == e.segment && e.find(k.id)) on_stored_(k);

@@ -86,7 +86,8 @@ PyOdometry::PyOdometry(const Arguments& a)
 
 // Without the GIL.
 void PyOdometry::open(const std::string& map) {
-  PastParams past{params_.scale, params_.places, nullptr, {}, {}, {}};
+  PastParams past;
+  past.scale = params_.scale, past.places = params_.places;
   if (!map.empty()) {
     kept_ = read_map_for(map, camera_, options_, "");
     for (const std::string& line : kept_->warnings()) lines_.add(line);

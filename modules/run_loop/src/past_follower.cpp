@@ -37,6 +37,7 @@ struct PastFollower::Impl {
     places.emplace(rectification, options.map_log, params.places, params.kept);
     places->look_up_young(params.looks_up_young);
     if (params.on_stored) places->on_stored(params.on_stored);
+    if (params.on_young) places->on_young(params.on_young);
     if (params.on_found) places->on_found(params.on_found);
     place_events.emplace(options.map_log);
   }

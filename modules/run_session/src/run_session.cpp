@@ -195,12 +195,11 @@ void RunSession::prioritise_tracking() const {
 void RunSession::track() {
   RunLoopOptions options;
   options.odometry = odometry_;
-  options.past = {request_.params.scale,
-                  request_.params.places,
-                  kept_map_ ? kept_map_->places() : nullptr,
-                  false,
-                  [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); },
-                  [this](const Constraint& found) { found_in_kept_map_.push_back(found); }};
+  options.past.scale = request_.params.scale, options.past.places = request_.params.places;
+  if (kept_map_) options.past.kept = kept_map_->places();
+  const auto add = [this](const StoredKeyframe& keyframe) { outputs_->add_keyframe(keyframe); };
+  options.past.on_stored = add, options.past.on_young = add;
+  options.past.on_found = [this](const Constraint& found) { found_in_kept_map_.push_back(found); };
   options.pace = request_.pace;
   options.on_bad_frame = request_.on_bad_frame;
   options.stop = host_.stop;

@@ -62,6 +62,10 @@ class PlaceMemory {
   /// Calls `follow` with each keyframe that is remembered from now on, and with those remembered once more
   /// when the camera is corrected; in the thread of apply().
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
+  /// Calls `follow` with each sure keyframe while it is in the window: as soon as it is there, and once more
+  /// when the map has moved. That of on_stored() replaces it, or says by `record->is_doubtful` that it is
+  /// none.
+  void on_young(std::function<void(const StoredKeyframe&)> follow) { on_young_ = std::move(follow); }
   /// Calls `follow` with each place that is stated in the kept map, as a constraint from the keyframe there
   /// to that of the run, by their ids; in the thread of apply().
   void on_found(std::function<void(const Constraint&)> follow) { on_found_ = std::move(follow); }
@@ -108,6 +112,8 @@ class PlaceMemory {
   void handle(const Other&) {}
 
   void begin_young();
+  std::shared_ptr<const RememberedView> view_of(int id, const FramePyramid& pyramid);
+  void pass_on_young(const WindowAdjusted& e);
   void take_young(const WindowAdjusted::Active& active);
   void look_up(size_t query);
   void look_up(size_t query, Known* known, Row* row);
@@ -129,12 +135,15 @@ class PlaceMemory {
   PlaceStore store_;
   PlaceStore young_;  // keyframes of the segment in use, as they were in the window last
   int young_segment_ = -1;
-  std::set<int> first_of_epoch_{0};  // ids of the first keyframes
-  std::deque<size_t> waiting_;       // positions of those that are not far enough back yet to be places
+  std::map<int, std::shared_ptr<const RememberedView>> views_;  // of keyframes in the window, by id
+  std::set<int> passed_on_;                                     // of these: those on_young_ knows as they are
+  std::set<int> first_of_epoch_{0};                             // ids of the first keyframes
+  std::deque<size_t> waiting_;  // positions of those that are not far enough back yet to be places
   Known own_, kept_;
   PlaceCounts counts_;
   bool looks_up_ = true, looks_up_young_ = false;
   std::function<void(const StoredKeyframe&)> on_stored_ = [](const StoredKeyframe&) {};
+  std::function<void(const StoredKeyframe&)> on_young_;
   std::function<void(const Constraint&)> on_found_ = [](const Constraint&) {};
 };
 

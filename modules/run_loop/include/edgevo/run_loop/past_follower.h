@@ -27,6 +27,8 @@ struct PastParams {
   bool looks_up_young = false;
   /// Is called as PlaceMemory::on_stored() says, in the thread that recognises places; empty: not.
   std::function<void(const StoredKeyframe&)> on_stored;
+  /// The same as PlaceMemory::on_young().
+  std::function<void(const StoredKeyframe&)> on_young;
   /// The same as PlaceMemory::on_found().
   std::function<void(const Constraint&)> on_found;
 };
