@@ -86,6 +86,16 @@ NamedCameras cameras_of_file(const std::string& path_or_folder) {
   return cameras_of_text(text_of(path), path);
 }
 
+// What a file of our own says besides the camera; others say nothing.
+template <class Value>
+std::optional<Value> read_own_key(const std::string& path_or_folder,
+                                  std::optional<Value> (*parse)(const std::string&, const std::string&)) {
+  const std::string path = file_in(path_or_folder);
+  if (is_sqlite_file(path)) return std::nullopt;
+  const std::string text = text_of(path);
+  return !dialect_of(text) && is_yaml(text, path) ? parse(text, path) : std::nullopt;
+}
+
 Camera with_size(const CameraText& text, const std::string& where) {
   if (!text.has_size())
     throw InputError(where, "the image size is missing", "give image_width and image_height in pixels");
@@ -121,16 +131,11 @@ Camera read_camera_file(const std::string& path, const std::string& sensor) {
 }
 
 std::optional<CameraMount> read_camera_mount(const std::string& path) {
-  const std::string file = file_in(path);
-  if (is_sqlite_file(file)) return std::nullopt;
-  const std::string text = text_of(file);
-  return !dialect_of(text) && is_yaml(text, file) ? parse_yaml_mount(text, file) : std::nullopt;
+  return read_own_key(path, parse_yaml_mount);
 }
 
 std::optional<GyroModel> read_camera_gyro(const std::string& path) {
-  if (is_sqlite_file(path)) return std::nullopt;
-  const std::string text = text_of(path);
-  return !dialect_of(text) && is_yaml(text, path) ? parse_yaml_gyro(text, path) : std::nullopt;
+  return read_own_key(path, parse_yaml_gyro);
 }
 
 }  // namespace edgevo

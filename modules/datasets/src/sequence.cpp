@@ -13,6 +13,7 @@
 #include "listed_order.h"
 #include "text_file.h"
 #include "time_unit.h"
+#include "transparency.h"
 
 namespace edgevo {
 namespace {
@@ -22,6 +23,7 @@ class SequenceSource : public ImageSource {
   SequenceSource(Sequence sequence, int bits)
       : sequence_(std::move(sequence)), intensities_(decide_intensities(sequence_.images, bits)) {
     if (intensities_.decision) sequence_.decisions.push_back(*intensities_.decision);
+    if (auto transparent = transparency_of(sequence_.images)) sequence_.decisions.push_back(*transparent);
     if (!sequence_.ordered_by_names)
       doubt_listed_order(sequence_.images, sequence_.times, &sequence_.decisions);
   }

@@ -24,15 +24,14 @@ bool is_same_shape(const cv::Size& a, const cv::Size& b) {
   return std::abs(across - down) <= 1.0 / large.width + 1.0 / large.height;
 }
 
-// Whether transparency, which is not read, may be what the mask was drawn with.
-bool has_alpha_drawing(const std::string& path) {
+// What a mask was drawn with: its transparency, black where there is nothing, if it has both; else gray
+// levels.
+cv::Mat read_drawing(const std::string& path) {
   const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED);
-  if (image.channels() != 4) return false;
   cv::Mat alpha;
-  cv::extractChannel(image, alpha, 3);
-  double least = 0, most = 0;
-  cv::minMaxLoc(alpha, &least, &most);
-  return least < most;
+  if (image.channels() == 4) cv::extractChannel(image, alpha, 3);
+  const int opaque = alpha.empty() ? 0 : cv::countNonZero(alpha);
+  return 0 < opaque && opaque < int(alpha.total()) ? alpha : cv::imread(path, cv::IMREAD_GRAYSCALE);
 }
 
 }  // namespace
@@ -41,7 +40,7 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))  // OpenCV would print a warning of its own
     throw InputError(path, "is not a mask: no such file", "give a PNG, black where there are to be no edges");
-  const cv::Mat image = cv::imread(path, cv::IMREAD_GRAYSCALE);
+  const cv::Mat image = read_drawing(path);
   if (image.empty())
     throw InputError(path, "cannot be read as an image", "give a PNG, black where there are to be no edges");
   const cv::Size size(width, height);
@@ -58,11 +57,8 @@ Plane<uint8_t> read_mask(const std::string& path, int width, int height) {
   cv::Mat(share > 0).copyTo(as_mat(mask));
   const int black = cv::countNonZero(as_mat(mask));
   if (black == 0 || black == width * height)
-    throw InputError(
-        path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
-        has_alpha_drawing(path)
-            ? "its transparency is not read: fill it with white, and paint black what is to give no edges"
-            : "paint black what is to give no edges, and nothing else");
+    throw InputError(path, black == 0 ? "has no black pixel (gray 0)" : "is black all over",
+                     "paint black, or fully transparent, what is to give no edges, and nothing else");
   return mask;
 }
 

@@ -153,6 +153,8 @@ TEST(CameraDialects, AFolderOfColmapIsReadAnyOtherRefused) {
   test::write_text(folder / "model/sparse/0/cameras.txt", "1 PINHOLE 640 480 500 501 320 240\n");
   for (const char* path : {"model", "model/sparse", "model/sparse/0"})
     EXPECT_EQ(read_camera_file(folder / path).width, 640) << path;
+  EXPECT_FALSE(read_camera_gyro(folder / "model"));
+  EXPECT_FALSE(read_camera_mount(folder / "model"));
   test::write_colmap_database(folder / "model/database.db");
   EXPECT_EQ(read_camera_file(folder / "model").pinhole().fx, 500) << "not the guess in the database";
 }

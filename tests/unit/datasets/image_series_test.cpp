@@ -2,6 +2,10 @@
 // Which images of a folder are one sequence: never a zigzag through two cameras without a word.
 #include "image_series.h"
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "transparency.h"
 #include "unit/datasets/temp_sequence.h"
 
 namespace edgevo {
@@ -142,6 +146,21 @@ TEST_F(ImageSeries, ImagesOneLevelDownAreNamed) {
   test::write_text(folder_ / "rgb/000001.webp", "");
   test::write_text(folder_ / "a/notes.txt", "");
   EXPECT_THAT(refusal(), HasSubstr("give the one below that does: " + (folder_ / "rgb")));
+}
+
+TEST_F(ImageSeries, TransparentPartsAreSaid) {
+  const std::string path = folder_ / "000000.png";
+  cv::Mat image(16, 24, CV_8UC4, cv::Scalar::all(255));
+  cv::imwrite(path, image);
+  EXPECT_FALSE(transparency_of({path})) << "of a channel that is opaque";
+  image.rowRange(0, 4) = cv::Scalar(9, 9, 9, 0);
+  cv::imwrite(path, image);
+  const std::optional<InputDecision> said = transparency_of({path});
+  ASSERT_TRUE(said);
+  EXPECT_EQ(to_string(*said), "transparency: not read (25 % of the first image are transparent)");
+  EXPECT_THAT(said->doubt, HasSubstr("--mask " + path));
+  EXPECT_FALSE(transparency_of({folder_ / "none.png"}));
+  EXPECT_FALSE(transparency_of({}));
 }
 
 }  // namespace
