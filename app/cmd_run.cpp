@@ -105,9 +105,10 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
                    "with its .yaml next to it), instead of the one shipped with edgevo")
       ->check(path_given());
   command
-      ->add_option(
-          "--mask", args->mask,
-          "PNG of the shape of the images: what is black there, such as a part of the vehicle, is left out")
+      ->add_option("--mask", args->mask,
+                   "PNG of the shape of the images: what is black or transparent there, such as a part of "
+                   "the vehicle, is "
+                   "left out")
       ->check(path_given());
   command
       ->add_option("--edge-folder", args->edge_folder,

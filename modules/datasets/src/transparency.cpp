@@ -31,8 +31,9 @@ std::optional<InputDecision> transparency_of(const std::vector<std::string>& ima
   const double transparent = 1 - double(cv::countNonZero(alpha)) / double(alpha.total());
   if (transparent <= 0 || transparent >= 1) return std::nullopt;
   return InputDecision{"transparency", "not read",
-                       formatted("%.0f %% of the first image are transparent", 100 * transparent),
-                       "edges are taken there, too; --mask " + first + " takes none"};
+                       formatted("%.0f %% of the first image are transparent; --mask %s takes no edges there",
+                                 100 * transparent, first.c_str()),
+                       ""};
 }
 
 }  // namespace edgevo

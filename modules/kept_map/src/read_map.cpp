@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kRemedy = "give map.db of a run";
+constexpr const char* kRemedy = "give the folder of a run, or its map.db";
 constexpr std::string_view kMagic("SQLite format 3\0", 16);
 // Where the first bytes of a database hold the version of its tables and the kind of what is in it.
 constexpr size_t kVersionAt = 60, kApplicationAt = 68, kHeadBytes = 100;
@@ -253,8 +253,8 @@ namespace {
 
 void check_finished(const KeptMap& map, const std::string& file) {
   if (!map.is_finished)
-    throw InputError(file, "was left by a run that did not end, in several units of length",
-                     "`edgevo finish` ends it");
+    throw InputError(file, "was left by a run that did not end: its places are not final",
+                     "`edgevo finish` with the folder of that run ends it");
 }
 
 }  // namespace

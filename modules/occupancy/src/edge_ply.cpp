@@ -7,6 +7,7 @@
 
 #include "edge_ply_format.h"
 #include "edgevo/core/depth_source.h"
+#include "edgevo/core/formatted.h"
 #include "edgevo/core/output_file.h"
 
 namespace edgevo {
@@ -96,6 +97,9 @@ std::string comment(const char* key, const std::string& value) {
 std::string run_comments(const Run& run) {
   std::string text = comment(ply::kScale, " " + run.scale_source + " " + fixed(run.scale.factor, 9) + " " +
                                               fixed(run.scale.sigma, 9));
+  const Pinhole& c = run.pinhole;
+  text += comment(ply::kPinhole,
+                  formatted(" %.9g %.9g %.9g %.9g %d %d", c.fx, c.fy, c.cx, c.cy, c.width, c.height));
   if (run.T_vehicle_cam) text += comment(ply::kMount, pose_text(*run.T_vehicle_cam));
   for (const KeyframeRecord& k : run.keyframes) {
     const SE3 T_map_cam = T_map_world(run) * k.T_world_cam;

@@ -7,8 +7,8 @@ namespace edgevo::ply {
 
 /// First words of the header's comments: `keyframe FRAME SEGMENT tx ty tz qx qy qz qw` (pose in the map; the
 /// order is that of the vertices' `keyframe`), `mount tx ty tz qx qy qz qw` (T_vehicle_cam), `scale SOURCE
-/// METRES_PER_UNIT SIGMA`.
-constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale";
+/// METRES_PER_UNIT SIGMA`, `pinhole fx fy cx cy width height` (in which the points were seen).
+constexpr const char *kKeyframe = "keyframe", *kMount = "mount", *kScale = "scale", *kPinhole = "pinhole";
 
 /// Byte offsets and size of a vertex: float x y z, uchar red green blue, float idepth idepth_sigma, int
 /// keyframe observations line, uchar gray_dark gray_bright line_kind views.

@@ -48,6 +48,8 @@ struct Header {
   bool is_ours = false, has_lines = false;
 };
 
+bool is_pinhole(const Pinhole& c) { return c.fx > 0 && c.fy > 0 && c.width > 0 && c.height > 0; }
+
 void read_line(const std::string& path, const std::string& line, Header* header) {
   std::istringstream in(line);
   std::string word, key;
@@ -72,12 +74,16 @@ void read_line(const std::string& path, const std::string& line, Header* header)
   } else if (key == ply::kScale) {
     readable = bool(in >> header->run.scale_source >> header->run.scale.factor >> header->run.scale.sigma);
     header->is_ours = true;
+  } else if (key == ply::kPinhole) {
+    Pinhole& c = header->run.pinhole;
+    readable = bool(in >> c.fx >> c.fy >> c.cx >> c.cy >> c.width >> c.height) && is_pinhole(c);
   }
   if (!readable) refuse(path, "'" + line.substr(0, 80) + "' in its header is not readable");
 }
 
 Header read_header(const std::string& path, const std::string& bytes) {
   Header header;
+  header.run.pinhole = {1, 1, 0, 0, 1, 1};  // of a file that does not say: pixels are rays
   if (bytes.rfind("ply\nformat binary_little_endian 1.0\n", 0) != 0)
     refuse(path, "is not a PLY file of edgevo");
   const size_t end = bytes.find("end_header\n");
@@ -115,7 +121,7 @@ void read_vertex(const std::string& path, const char* bytes, Header* header) {
   const Eigen::Vector3d p_cam = header->T_map_cam[keyframe].inverse() * p_map;
   if (!p_cam.allFinite() || !(p_cam.z() > 0)) refuse(path, "a point lies behind its keyframe");
   EdgePoint point;
-  point.px = (p_cam.head<2>() / p_cam.z()).cast<float>();
+  point.px = header->run.pinhole.project(p_cam).cast<float>();
   point.normal = {1, 0};
   point.gray = uint8_t(bytes[12]);
   point.idepth = float(1 / p_cam.z());
@@ -137,7 +143,6 @@ Run read_edge_ply(const std::string& path) {
   for (size_t i = 0; i < header.vertices; ++i)
     read_vertex(path, bytes.data() + header.end + i * ply::kVertexBytes, &header);
   Run run = std::move(header.run);
-  run.pinhole = {1, 1, 0, 0, 1, 1};
   const SE3 T_world_map = T_map_world(run).inverse();
   for (size_t k = 0; k < run.keyframes.size(); ++k)
     run.keyframes[k].T_world_cam = T_world_map * header.T_map_cam[k];

@@ -73,7 +73,9 @@ struct Odometry::Impl {
   void bootstrap_map(const ArrivedFrame& now);
   void refuse_pose(FrameRecord* record, const Reasons& why) const;
   // The pose of a frame in a map that was kept, as long as the run has none of its own.
-  void locate(const ArrivedFrame& now);
+  std::optional<LocatedPose> locate(const ArrivedFrame& now);
+  // Whether the first map waits for images that may be.
+  bool may_be_located() const;
   // Where keyframes of the first map lie in the map that was kept, by the first frame located on each.
   void place_young_map(const ArrivedFrame& now);
   BootstrapStatus search_and_make(const ArrivedFrame& now);
@@ -88,7 +90,7 @@ struct Odometry::Impl {
   // ---- making a map next to the frames (concurrent_bootstrap.h) ----
   bool waits_for_map() const;
   const FrameRecord& buffer_frame(const Frame& frame, const ImageExposure& exposure);
-  BootstrapStatus search_concurrently(const ArrivedFrame& now);
+  BootstrapStatus search_concurrently(const ArrivedFrame& now, const std::optional<LocatedPose>& located);
   void continue_with_map();
   // The reference of the map is an earlier frame; those after it are followed now.
   void begin_made_map();

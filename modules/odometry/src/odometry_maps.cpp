@@ -24,25 +24,31 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   frame_published = false;  // times and note change
   record.evidence.stands = !now.still.empty();
   if (!concurrent) replay.add(now);
-  locate(now);
-  const BootstrapStatus status = concurrent ? search_concurrently(now) : search_and_make(now);
+  const std::optional<LocatedPose> located = locate(now);
+  const BootstrapStatus status = concurrent ? search_concurrently(now, located) : search_and_make(now);
   if (!record.T_world_cam_live) refuse_pose(&record, status.reasons);
 }
 
-void Odometry::Impl::locate(const ArrivedFrame& now) {
-  if (!options.locate || !state.may_be_located()) return;
+std::optional<LocatedPose> Odometry::Impl::locate(const ArrivedFrame& now) {
+  if (!options.locate || !state.may_be_located()) return std::nullopt;
   ++images_tried;
   const std::optional<LocatedPose> found = options.locate(*now.pyramid);
-  if (!found) return;
+  if (!found) return std::nullopt;
   if (state.locate()) {
     // The first view is to be one that is located.
-    if (!concurrent) forget_views(), replay.views_dropped();
+    forget_views();
+    if (!concurrent) replay.views_dropped();
     frames.begin_segment({state.segment(), Sim3(), SegmentPlaced::Method::kLinked});
     report(now.frame, "located in the kept map");
   }
   frames.place(state.segment(), *found);
   bootstrapper.locate(now.frame, *found);
   assign_status({TrackingState::kTracking, {}}, now.record);
+  return found;
+}
+
+bool Odometry::Impl::may_be_located() const {
+  return options.locate && !has_begun_map && images_tried < kImagesToLocate;
 }
 
 // Until places are recognised by keyframes that leave the window. The frame's pose in the young map, by which
@@ -80,8 +86,7 @@ BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
   if (!status.result && !now.still.empty())
     return {std::nullopt, {{now.still.is_certain ? ReasonKind::kStands : ReasonKind::kMayBeEgoPart}}};
   if (!status.result) return status;
-  if (options.locate && !has_begun_map && images_tried < kImagesToLocate)
-    return {std::nullopt, {{ReasonKind::kMayBeLocated}}};
+  if (may_be_located()) return {std::nullopt, {{ReasonKind::kMayBeLocated}}};
   bootstrapper.rectify_rows(&*status.result);
   status.reasons = make_map(now, *status.result);
   return status;
@@ -133,8 +138,10 @@ const FrameRecord& Odometry::Impl::buffer_frame(const Frame& frame, const ImageE
   return *now.record;
 }
 
-BootstrapStatus Odometry::Impl::search_concurrently(const ArrivedFrame& now) {
-  const BootstrapStatus status = concurrent->look(now, ego_mask_monitor, integrity.newest_before());
+BootstrapStatus Odometry::Impl::search_concurrently(const ArrivedFrame& now,
+                                                    const std::optional<LocatedPose>& located) {
+  const BootstrapStatus status =
+      concurrent->look(now, ego_mask_monitor, integrity.newest_before(), located, may_be_located());
   if (concurrent->is_making()) scale_of_made = scale_by_depths();
   return status;
 }

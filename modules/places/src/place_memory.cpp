@@ -59,13 +59,17 @@ void PlaceMemory::handle(const EpochBegan& e) {
 void PlaceMemory::handle(const KeyframeMarginalised& e) {
   StoredKeyframe k{e.id, 0, e.keyframe, nullptr, std::nullopt};
   if (!e.neighbours.empty()) k.next = e.neighbours.front();
-  if (e.pyramid && !e.keyframe->is_doubtful) k.view = view_of(e.id, *e.pyramid);
+  if (e.pyramid && !e.keyframe->is_doubtful) k.view = view_of(e.id, e.pyramid);
   views_.erase(e.id), passed_on_.erase(e.id);
   remember(std::move(k));
 }
 
+int PlaceMemory::epoch_of(int keyframe) const {
+  return int(std::distance(first_of_epoch_.begin(), first_of_epoch_.upper_bound(keyframe)));
+}
+
 void PlaceMemory::remember(StoredKeyframe k) {
-  k.epoch = int(std::distance(first_of_epoch_.begin(), first_of_epoch_.upper_bound(k.id)));
+  k.epoch = epoch_of(k.id);
   if (k.view && params_.loops) waiting_.push_back(store_.size());
   on_stored_(k);
   store_.add(std::move(k));
@@ -86,18 +90,20 @@ void PlaceMemory::begin_young() {
   }
 }
 
-// Each is made once, of a keyframe in the window or when it leaves it.
-std::shared_ptr<const RememberedView> PlaceMemory::view_of(int id, const FramePyramid& pyramid) {
-  std::shared_ptr<const RememberedView>& view = views_[id];
-  if (!view) view = std::make_shared<const RememberedView>(remember_view(pyramid));
-  return view;
+// Made once of each pyramid: one that the camera's correction has rebuilt is another.
+std::shared_ptr<const RememberedView> PlaceMemory::view_of(
+    int id, const std::shared_ptr<const FramePyramid>& pyramid) {
+  YoungView& young = views_[id];
+  if (young.of.lock() != pyramid)
+    young = {pyramid, std::make_shared<const RememberedView>(remember_view(*pyramid))};
+  return young.view;
 }
 
 void PlaceMemory::pass_on_young(const WindowAdjusted& e) {
   for (const WindowAdjusted::Active& k : *e.keyframes)
     if (k.pyramid && !k.keyframe.is_doubtful && passed_on_.insert(k.id).second)
-      on_young_({k.id, int(first_of_epoch_.size()), std::make_shared<const KeyframeRecord>(k.keyframe),
-                 view_of(k.id, *k.pyramid), std::nullopt});
+      on_young_({k.id, epoch_of(k.id), std::make_shared<const KeyframeRecord>(k.keyframe),
+                 view_of(k.id, k.pyramid), std::nullopt});
 }
 
 void PlaceMemory::handle(const WindowAdjusted& e) {
@@ -114,9 +120,9 @@ void PlaceMemory::take_young(const WindowAdjusted::Active& active) {
   const std::vector<StoredKeyframe>& all = young_.keyframes();
   const auto same =
       std::find_if(all.begin(), all.end(), [&](const StoredKeyframe& k) { return k.id == active.id; });
-  if (same != all.end()) return young_.update(size_t(same - all.begin()), active.keyframe);
   StoredKeyframe k{active.id, 0, std::make_shared<const KeyframeRecord>(active.keyframe), nullptr, {}};
-  if (active.pyramid && !active.keyframe.is_doubtful) k.view = view_of(active.id, *active.pyramid);
+  if (active.pyramid && !active.keyframe.is_doubtful) k.view = view_of(active.id, active.pyramid);
+  if (same != all.end()) return young_.update(size_t(same - all.begin()), std::move(k));
   young_.add(std::move(k));
 }
 

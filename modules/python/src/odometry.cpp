@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "edgevo/odometry/odometry.h"
 
+#include <atomic>
+#include <map>
 #include <utility>
 
 #include "callbacks.h"
 #include "classes.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/gyro_sample.h"
+#include "edgevo/core/record_units.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/places/view_locator.h"
 #include "edgevo/run_loop/kept_places.h"
@@ -29,7 +32,7 @@ class PyOdometry {
   FrameRecord process(const Arguments& a);
   void add_gyro(const Arguments& a);
   std::string gyro();
-  bool is_in_map();
+  bool is_in_map() const { return is_in_map_; }
   PyRun finish();
 
  private:
@@ -49,9 +52,10 @@ class PyOdometry {
   std::optional<RunRecorder> recorder_;
   std::optional<MapCursor> events_;
   std::optional<KeptPlaces> kept_;
-  std::optional<MapCursor> placements_;  // for kept_
-  std::vector<StoredKeyframe> keyframes_;
-  std::optional<PastFollower> past_;  // as run_odometry(): equal frames give equal bytes
+  std::optional<MapCursor> placements_;      // for kept_
+  std::map<int, StoredKeyframe> keyframes_;  // by id
+  std::atomic<bool> is_in_map_ = false;      // read by any thread
+  std::optional<PastFollower> past_;         // as run_odometry(): equal frames give equal bytes
   std::unique_ptr<Odometry> odometry_;
   ImageInput images_;
   Frame frame_;
@@ -89,6 +93,9 @@ void PyOdometry::open(const std::string& map) {
   PastParams past;
   past.scale = params_.scale, past.places = params_.places;
   if (!map.empty()) {
+    if (options_.forget)
+      throw InputError("Odometry(): map", "places are not looked for with forget=True",
+                       "omit one of the two");
     kept_ = read_map_for(map, camera_, options_, "");
     for (const std::string& line : kept_->warnings()) lines_.add(line);
     placements_.emplace(options_.map_log);
@@ -96,7 +103,8 @@ void PyOdometry::open(const std::string& map) {
     options_.locate = locate_in(past.kept);
   }
   // Called in the thread that recognises places; read after it has ended.
-  if (!options_.forget) past.on_stored = [this](const StoredKeyframe& k) { keyframes_.push_back(k); };
+  if (!options_.forget && past.places.loops)
+    past.on_stored = [this](const StoredKeyframe& k) { keyframes_.insert_or_assign(k.id, k); };
   past_.emplace(camera_, std::nullopt, options_, past);
   odometry_ = std::make_unique<Odometry>(camera_, params_.odometry, options_);
 }
@@ -139,7 +147,7 @@ void PyOdometry::read_frame(const Arguments& a) {
 // Without the GIL.
 void PyOdometry::follow(const FrameRecord& record) {
   past_->follow();
-  if (kept_) kept_->follow(placements_->read());
+  if (kept_) kept_->follow(placements_->read()), is_in_map_ = kept_->is_placed();
   if (recorder_) recorder_->add(record, frame_.image_path);
   newest_ = Frame{frame_.index, frame_.time, {}, {}};
 }
@@ -183,11 +191,6 @@ std::string PyOdometry::gyro() {
   return odometry_->gyro().statement;
 }
 
-bool PyOdometry::is_in_map() {
-  const InUse::Call call(in_use_, "Odometry.is_in_map");
-  return kept_ && kept_->is_placed();
-}
-
 PyRun PyOdometry::finish() {
   const InUse::Call call(in_use_, "Odometry.finish()");
   require_open("Odometry.finish()");
@@ -201,12 +204,13 @@ PyRun PyOdometry::finish() {
     odometry_.reset();
     if (const auto up = decide_up(&contents->run)) info_.input.push_back(*up);
     if (kept_) finish_in_map(*kept_, &contents->run, [this](const std::string& line) { lines_.add(line); });
-    contents->keyframes = std::move(keyframes_);
+    is_in_map_ = is_in_kept_map(contents->run);
+    contents->keyframes = std::exchange(keyframes_, {});
     if (recorder_)
       contents->frames = recorder_->take_frames(), contents->events_at_end = recorder_->take_events();
     contents->camera = camera_, contents->info = info_, contents->map = params_.map;
   }
-  events_.reset(), recorder_.reset(), past_.reset();
+  events_.reset(), recorder_.reset(), past_.reset(), placements_.reset(), kept_.reset();
   on_event_ = py::object();
   lines_.pass_to(std::exchange(log_, py::object()));
   return PyRun{std::move(contents)};
@@ -246,7 +250,9 @@ void add_odometry(py::module_& module) {
                                  "How the gyro sits and what is wrong with it, in words; empty without one.");
   odometry.def_property_readonly(
       "is_in_map", &PyOdometry::is_in_map,
-      "Whether poses are in the frame and unit of `map` by now: after the T of the newest event \"placed\".");
+      "Whether the newest pose is in the frame and unit of `map`, after the T of the newest event "
+      "\"placed\";\n"
+      "after a loss not until the camera is found there again. From any thread, and in on_event.");
   define(
       odometry, "Odometry.finish()", [](PyOdometry& o, const Arguments&) { return o.finish(); },
       "Ends the run and returns it.");

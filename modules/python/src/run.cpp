@@ -9,6 +9,7 @@
 #include "edgevo/core/formatted.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/point_filter.h"
+#include "edgevo/core/record_units.h"
 #include "edgevo/results/run_text.h"
 #include "record.h"
 
@@ -217,6 +218,9 @@ void add_run(py::module_& module) {
   run.def_property_readonly(
       "scale_problem", [](const PyRun& r) { return run_of(r).scale.problem; },
       "Why lengths are not metres although a scale was wanted; else empty.");
+  run.def_property_readonly(
+      "is_in_map", [](const PyRun& r) { return is_in_kept_map(run_of(r)); },
+      "Whether the run was found in the `map` that it was given: its frame and unit are those of that.");
   run.def_property_readonly(
       "T_map_world", [](const PyRun& r) { return to_array(std::make_optional(T_map_world(run_of(r)))); },
       "From the world to the axes of Map, 4 x 4: x forward, z up.");

@@ -94,7 +94,7 @@ void write_run(const RunContents& contents, const std::string& folder) {
     outputs.keep_recovery_log({contents.info, contents.scale, contents.tracks, contents.run.T_vehicle_cam},
                               log);
   replay(contents, log, &outputs);
-  for (const StoredKeyframe& keyframe : contents.keyframes) outputs.add_keyframe(keyframe);
+  for (const auto& [id, keyframe] : contents.keyframes) outputs.add_keyframe(keyframe);
   outputs.finish(contents.run, contents.info);
 }
 

@@ -3,6 +3,7 @@
 // A finished run with all that its files need: a Run of C++, how it came about, and the events of its map,
 // from which run.mcap is written.
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -63,8 +64,8 @@ struct RunContents {
   VehicleTracks tracks;
   /// Frame by frame; empty: not kept.
   std::vector<RecordedFrame> frames;
-  /// Its keyframes with their places, for map.db.
-  std::vector<StoredKeyframe> keyframes;
+  /// Its keyframes with their places, for map.db, by id.
+  std::map<int, StoredKeyframe> keyframes;
   /// What happened after the last of them.
   std::vector<std::shared_ptr<const MapEvent>> events_at_end;
   /// Folder that it was read from; empty: it was not.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // run(): a whole source in one call, as `edgevo run` takes it.
 #include <chrono>
+#include <map>
 #include <utility>
 
 #include "callbacks.h"
@@ -98,7 +99,7 @@ class SourceRun {
   PythonSide& python_;
   RunLoopOptions options_;
   std::optional<KeptPlaces> kept_;
-  std::vector<StoredKeyframe> keyframes_;
+  std::map<int, StoredKeyframe> keyframes_;
   RunScaling scaling_;
   MapCursor scale_events_;
   RunRecorder recorder_;
@@ -125,7 +126,8 @@ SourceRun::SourceRun(ImageSource& source, const Request& request, PythonSide& py
                rectification_of(source.camera(), options_.odometry).target(), request.params.scale),
       scale_events_(options_.odometry.map_log),
       recorder_(options_.odometry.map_log) {
-  options_.past.on_stored = [this](const StoredKeyframe& k) { keyframes_.push_back(k); };
+  if (options_.past.places.loops)
+    options_.past.on_stored = [this](const StoredKeyframe& k) { keyframes_.insert_or_assign(k.id, k); };
   if (request.map.empty()) return;
   kept_ = read_map_for(request.map, source.camera(), options_.odometry,
                        request.scale == "none" ? "" : "scale=\"" + request.scale + "\"");

@@ -64,14 +64,28 @@ KeptPlaces::KeptPlaces(const std::string& path, const Pinhole& pinhole, const st
 }
 
 void KeptPlaces::follow(const std::vector<std::shared_ptr<const MapEvent>>& events) {
-  for (const auto& event : events) {
-    if (const auto* added = std::get_if<ConstraintAdded>(event.get());
-        added && added->constraint.from == NodeId::world())
-      found_.insert(added->id);
-    if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(event.get())) found_.erase(withdrawn->id);
-    if (const auto* placed = std::get_if<EpochsPlaced>(event.get()))
-      is_placed_ |= !found_.empty() && *found_.begin() <= placed->newest_constraint;
-  }
+  for (const auto& event : events) follow(*event);
+}
+
+void KeptPlaces::follow(const MapEvent& event) {
+  if (std::holds_alternative<SegmentPlaced>(event)) is_placed_ = false;
+  if (const auto* keyframe = std::get_if<KeyframeAdded>(&event))
+    first_.emplace(keyframe->segment, keyframe->id);
+  if (const auto* added = std::get_if<ConstraintAdded>(&event);
+      added && added->constraint.from == NodeId::world())
+    found_[added->id] = added->constraint.to.number();
+  if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(&event)) found_.erase(withdrawn->id);
+  if (const auto* placed = std::get_if<EpochsPlaced>(&event))
+    is_placed_ = is_found_in(placed->segment, placed->newest_constraint);
+}
+
+// By a constraint that was known when the epochs were placed.
+bool KeptPlaces::is_found_in(int segment, int newest_constraint) const {
+  const auto first = first_.find(segment), next = first_.upper_bound(segment);
+  return first != first_.end() && std::any_of(found_.begin(), found_.end(), [&](const auto& found) {
+           return found.first <= newest_constraint && found.second >= first->second &&
+                  (next == first_.end() || found.second < next->second);
+         });
 }
 
 bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }
@@ -85,7 +99,7 @@ void KeptPlaces::give_unit(Run* run) const {
 std::string KeptPlaces::statement(const Run& run) const {
   const std::set<int> found = frames_found(run);
   if (found.empty())
-    return "edgevo: nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
+    return "nothing of " + path_ + " was recognised: the run has a frame and a unit of its own";
   return std::to_string(found.size()) + " frames found in " + path_ + ", whose frame and unit the run has" +
          (is_metric_ ? " (metres)" : "");
 }

@@ -267,7 +267,8 @@ bool RunSession::finish() {
   trace_.close();
   print_end();
   if (kept_map_)
-    kept_map_->is_found(run) ? print(kept_map_->statement(run)) : warn(kept_map_->statement(run));
+    kept_map_->is_found(run) ? print(kept_map_->statement(run))
+                             : warn("edgevo: " + kept_map_->statement(run));
   if (!outputs_->map_note().empty()) warn(outputs_->map_note());
   for (const ClosingLine& line : closing_lines(run, request_.out, request_.outputs.include_doubtful))
     line.is_warning ? warn(line.text) : print(line.text);

@@ -20,7 +20,8 @@ ConcurrentBootstrap::ConcurrentBootstrap(const Rectification& rectification, con
     : pinhole_(rectification.target()),
       params_(params),
       map_(map),
-      bootstrap_(rectification, bootstrap, seed),
+      bootstrap_(rectification, bootstrap, seed,
+                 [this](Timestamp a, Timestamp b) { return located_.turn_between(a, b); }),
       worker_({"bootstrap", kMaxQueued, true, false, true}) {}
 
 void ConcurrentBootstrap::reset() {
@@ -33,15 +34,20 @@ void ConcurrentBootstrap::reset() {
 }
 
 BootstrapStatus ConcurrentBootstrap::look(const ArrivedFrame& now, EgoMaskMonitor& ego_mask_monitor,
-                                          const std::optional<TrustedReference>& before) {
+                                          const std::optional<TrustedReference>& before,
+                                          const std::optional<LocatedPose>& located, bool may_be_located) {
   catches_up_ = false;
-  add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected});
+  add({now.frame.index, now.frame.time, now.pyramid, now.rows.expected, located});
   late_.add(now);
   BootstrapStatus status = poll();
   if (status.result &&
       ego_mask_monitor.delays_map(now.may_show_ego_part, now.still, int(status.result->views.size()) - 1)) {
     resume();
     return {std::nullopt, {{ReasonKind::kMayBeEgoPart}}};
+  }
+  if (status.result && may_be_located) {
+    resume();
+    return {std::nullopt, {{ReasonKind::kMayBeLocated}}};
   }
   late_.drop_until(status.result ? status.result->views.back().frame_index : searched_until());
   if (!status.result && !now.still.empty())
@@ -93,7 +99,8 @@ void ConcurrentBootstrap::search_next() {
   followed_ = now->attempt ? 0 : followed_ + 1;
   const Waiting& frame = now->frame;
   const TraceScope traced("search of two views", frame.frame_index);
-  if (now->after_reset) bootstrap_.reset();
+  if (now->after_reset) bootstrap_.reset(), located_.clear();
+  if (frame.located) located_.add(frame.frame_index, frame.time, *frame.located);
   BootstrapStatus status =
       bootstrap_.add(frame.frame_index, frame.time, frame.pyramid, now->attempt, frame.rows);
   const std::lock_guard<std::mutex> lock(mutex_);

@@ -8,12 +8,13 @@ The first runs SOURCE, with the height of the camera over the ground as scale. T
 the folder of a run, from where the first images of SOURCE are found in it, and says how far the camera is from the path
 and from its end. The path is in the axes of that map: when places or loops move the camera, it stays where it is.
 
-The robot is round: cells that are occupied, unknown or closer than RADIUS to an occupied one are not crossed. OUT.txt:
-x y in the unit of the map.
+The robot is round: cells that are occupied, unknown or closer than RADIUS to an occupied one are not crossed. RADIUS
+and OUT.txt (x y) are in the unit of the map, which is said.
 """
 
 import argparse
 import heapq
+import pathlib
 import sys
 from typing import Optional
 
@@ -78,7 +79,7 @@ class Planner:
     """Paths in the map of a run."""
 
     def __init__(self, run: edgevo.Run, radius: float) -> None:
-        self.T_map_world = run.T_map_world
+        self.T_map_world, self.radius = run.T_map_world, radius
         self.map = edgevo.Map(run)
         self.is_open = open_cells(self.map.grid, int(np.ceil(radius / self.map.resolution)))
         print(f"{self.map}; {self.map.unit}")
@@ -92,10 +93,11 @@ class Planner:
         column, row = ((position[:2] - self.map.origin) / self.map.resolution).astype(int)
         return nearest(self.is_open, (int(row), int(column)))
 
-    def plan(self, start: _Floats, goal: _Floats, out: str) -> _Floats:
+    def plan(self, start: _Floats, goal: _Floats, out: str) -> Optional[_Floats]:
         cells = shortest(self.is_open, self.cell_of(start), self.cell_of(goal))
         if cells is None:
-            raise SystemExit("plan.py: no path found")
+            print(f"no path found for a robot of {2 * self.radius:g} in cells of {self.map.resolution:g}")
+            return None
         path: _Floats = (np.array(cells)[:, ::-1] + 0.5) * self.map.resolution + self.map.origin
         np.savetxt(out, path, fmt="%.3f")
         at_camera = np.column_stack([path, np.full(len(path), goal[2])])
@@ -111,19 +113,19 @@ def plan_back(arguments: argparse.Namespace) -> int:
         return 1
     planner = Planner(run, arguments.radius)
     poses = run.poses[~np.isnan(run.poses[:, 0, 0])]
-    planner.plan(planner.position(poses[-1]), planner.position(poses[0]), arguments.out)
-    return 0
+    path = planner.plan(planner.position(poses[-1]), planner.position(poses[0]), arguments.out)
+    return 0 if path is not None else 1
 
 
 class Drive:
     """A drive in the map of an earlier one: where it is, and where on its path."""
 
     def __init__(self, arguments: argparse.Namespace) -> None:
+        self.source = edgevo.open_source(arguments.source)
+        self.odometry = edgevo.Odometry(self.source.camera, map=arguments.map, on_event=self.take, log=print)
         earlier = edgevo.load_run(arguments.map)
         self.planner, self.out = Planner(earlier, arguments.radius), arguments.out
         self.goal = self.planner.position(earlier.poses[~np.isnan(earlier.poses[:, 0, 0])][-1])
-        self.source = edgevo.open_source(arguments.source)
-        self.odometry = edgevo.Odometry(self.source.camera, map=arguments.map, on_event=self.take, log=print)
         self.T_world_odom: _Floats = np.eye(4)
         self.path: Optional[_Floats] = None
 
@@ -138,6 +140,8 @@ class Drive:
         position = self.planner.position(self.T_world_odom @ record.T_world_cam)
         if self.path is None:
             self.path = self.planner.plan(position, self.goal, self.out)
+        if self.path is None:
+            return
         away = np.linalg.norm(self.path - position[:2], axis=1)
         rest = np.linalg.norm(np.diff(self.path[away.argmin() :], axis=0), axis=1).sum()
         x, y = position[:2]
@@ -147,7 +151,7 @@ class Drive:
         for frame in self.source:
             self.follow(frame)
         if self.path is None:
-            print("plan.py: the camera was not found in the map", file=sys.stderr)
+            print("plan.py: the camera was not found in the map, or no path from there", file=sys.stderr)
         return 0 if self.path is not None else 1
 
 
@@ -160,6 +164,10 @@ def main() -> int:
     where.add_argument("--camera-height", type=float, metavar="METRES")
     where.add_argument("--map", metavar="EARLIER")
     arguments = parser.parse_args()
+    if arguments.radius <= 0:
+        parser.error("argument radius: give a length above 0")
+    if not pathlib.Path(arguments.out).parent.is_dir():
+        parser.error(f"argument out: {arguments.out}: its folder does not exist")
     return Drive(arguments).to_the_end() if arguments.map else plan_back(arguments)
 
 

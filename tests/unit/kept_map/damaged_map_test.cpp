@@ -64,7 +64,7 @@ TEST_F(DamagedMap, NothingThatIsAMap) {
   EXPECT_THAT(message_of([&] { read_map(temp_ / "none.db"); }), HasSubstr("none.db: cannot be read"));
   EXPECT_THAT(message_of([&] { read_map(temp_.path()); }), HasSubstr(temp_.path()));
   write_file(path_, "");
-  EXPECT_THAT(message(), HasSubstr("map.db: is empty; give map.db of a run"));
+  EXPECT_THAT(message(), HasSubstr("map.db: is empty; give the folder of a run, or its map.db"));
   write_file(path_, "text");
   EXPECT_THAT(message(), HasSubstr("map.db: is no map; give"));
   fs::remove(path_);

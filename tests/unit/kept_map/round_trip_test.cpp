@@ -123,6 +123,21 @@ TEST_F(MapRoundTrip, AnInterruptedMapIsInTheMapsOfItsSegments) {
     expect_near(map.store.keyframes()[i].record->T_world_cam, made_.keyframes[i].record->T_world_cam);
 }
 
+TEST_F(MapRoundTrip, WhatTurnsOutDoubtfulIsRemoved) {
+  {
+    MapFileWriter writer(path_, made_.header);
+    made_.write(&writer);
+    StoredKeyframe k = made_.keyframes[2];
+    auto doubtful = std::make_shared<KeyframeRecord>(*k.record);
+    doubtful->is_doubtful = true;
+    k.record = doubtful;
+    writer.add(k);
+  }
+  const KeptMap map = read_map(path_);
+  ASSERT_EQ(map.store.size(), made_.keyframes.size() - 1);
+  for (const StoredKeyframe& k : map.store.keyframes()) EXPECT_NE(k.id, made_.keyframes[2].id);
+}
+
 TEST_F(MapRoundTrip, WhatIsDoubtfulOrHasNoViewIsNotKept) {
   auto doubtful = std::make_shared<KeyframeRecord>(*made_.keyframes[2].record);
   doubtful->is_doubtful = true;

@@ -2,8 +2,10 @@
 // A rendered run whose first frames are located in a map that was kept: here by the poses of an earlier run.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <set>
 #include <string>
+#include <thread>
 #include <variant>
 
 #include "edgevo/map/located_pose.h"
@@ -45,11 +47,13 @@ struct Located {
   std::string log;
 };
 
-// Frames from kBegin on, those from `from` on located.
-Located follow(int from) {
+// Frames from kBegin on, those from `from` on located. `on_schedule`: the map is made next to the frames,
+// which come once the search has had time to take the ones before.
+Located follow(int from, bool on_schedule = false) {
   int frame = kBegin;
   OdometryOptions options;
   options.map_log = std::make_shared<MapLog>();
+  options.realtime = options.on_schedule = on_schedule;
   options.locate = [&](const FramePyramid&) {
     return frame >= from ? std::optional(located(frame)) : std::nullopt;
   };
@@ -61,6 +65,7 @@ Located follow(int from) {
   Odometry odometry(sweep_camera(), params, options);
   for (; frame < kEnd; ++frame) {
     odometry.process(sweep_frame(frame));
+    if (on_schedule && f.first_map < 0) std::this_thread::sleep_for(std::chrono::milliseconds(150));
     if (f.first_map < 0 && odometry.newest_pose().T_cam_map) f.first_map = frame;
   }
   odometry.close();
@@ -82,6 +87,15 @@ TEST(LocatedFrames, TheFirstMapWaitsForImagesThatMayBeLocated) {
 TEST(LocatedFrames, TheTurnBetweenThemTakesPartInTheFirstMotion) {
   EXPECT_NE(follow(kBegin).log.find("motion by a known turn"), std::string::npos);
   EXPECT_EQ(follow(kEnd).log.find("known turn"), std::string::npos);
+}
+
+TEST(LocatedFrames, AMapThatIsMadeNextToTheFramesBeginsByThem) {
+  const Located f = follow(kBegin, true);
+  EXPECT_NE(f.log.find("motion by a known turn"), std::string::npos) << f.log;
+  const SE3 off = T_kept_cam(kEnd - 1).inverse() * *f.run.frames.back().T_world_cam;
+  const double length = (T_kept_cam(kEnd - 1).translation() - T_kept_cam(kBegin).translation()).norm();
+  EXPECT_LT(off.translation().norm(), 0.2 * length) << "by the unit that one view has";
+  EXPECT_LT(off.angle(), 0.02);
 }
 
 TEST(LocatedFrames, KeyframesOfAYoungMapArePlacesOfTheKeptOne) {

@@ -55,6 +55,14 @@ class StreetRun {
     frames_.push_back(frame);
     ++next_;
   }
+  // The camera is corrected: the images of keyframes in the window are rectified anew.
+  void correct_camera(int shown_by) {
+    for (WindowAdjusted::Active& k : window_) k.pyramid = street().pyramid(shown_by);
+    MapMoved moved;
+    moved.segment = segment_;
+    append(moved);
+    append(WindowAdjusted{1, std::make_shared<const std::vector<WindowAdjusted::Active>>(window_)});
+  }
   // The window's keyframes leave it, in their order.
   void close() {
     for (const WindowAdjusted::Active& k : std::exchange(window_, {}))
@@ -250,6 +258,31 @@ TEST(PlaceMemory, AnEpochThatIsAnnouncedLateParts) {
   for (int frame = 0; frame < 12; ++frame) run.add(frame);
   // Places before the doubt are sought without the gap that one unit has.
   EXPECT_FALSE(run.follow(&memory).empty());
+}
+
+TEST(PlaceMemory, PassesOnKeyframesWhileTheyAreInTheWindow) {
+  StreetRun run;
+  PlaceMemory memory = run.memory();
+  std::vector<StoredKeyframe> young, stored;
+  memory.on_young([&](const StoredKeyframe& k) { young.push_back(k); });
+  memory.on_stored([&](const StoredKeyframe& k) { stored.push_back(k); });
+  run.begin_segment(1);
+  run.begin(0), run.begin(1);
+  run.follow(&memory);
+  ASSERT_THAT(young, SizeIs(2));
+  EXPECT_THAT(stored, IsEmpty());
+  EXPECT_EQ(young[1].view->corners.px.size(), remember_view(*street_frame(1).pyramid).corners.px.size());
+  // As the newest images show them, once more and when they leave.
+  run.correct_camera(5);
+  run.close();
+  run.follow(&memory);
+  ASSERT_THAT(young, SizeIs(4));
+  ASSERT_THAT(stored, SizeIs(2));
+  const RememberedView now = remember_view(*street_frame(5).pyramid);
+  for (const StoredKeyframe& k : {young[3], stored[1]}) {
+    EXPECT_EQ(k.id, 1);
+    EXPECT_EQ(k.view->corners.px, now.corners.px);
+  }
 }
 
 TEST(PathCovariance, GrowsAlongThePathAndTurnsWithIt) {

@@ -64,6 +64,8 @@ class Examples(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         found = [float(number) for number in re.findall(r"-?\d+\.\d\d", done.stdout.splitlines()[-1])]
         x, y, from_path, to_go = found
+        again = edgevo.load_run(f"{self.folder}/earlier")
+        self.assertEqual(edgevo.Map(again).resolution, edgevo.Map(run).resolution)
         # At its end, in the axes of the map, as the earlier drive was there.
         end = (run.T_map_world @ run.poses[-1])[:2, 3]
         self.assertLess(np.linalg.norm(end - (x, y)), 0.2)

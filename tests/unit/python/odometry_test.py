@@ -55,6 +55,43 @@ class Odometry(unittest.TestCase):
         source.gyro = samples  # type: ignore[attr-defined]
         self.assertEqual(self.poses_of(odometry.finish()), self.poses_of(edgevo.run(source, params)))
 
+    def test_a_run_is_placed_in_an_earlier_map(self) -> None:
+        scene.run().save(f"{self.folder}/earlier")
+        T_world_odom, seen = [np.eye(4)], []
+
+        def take(event: edgevo.Event) -> None:
+            if event.kind == "placed" and event.T is not None:
+                T_world_odom[0] = event.T
+                seen.append(odometry.is_in_map)
+
+        odometry = edgevo.Odometry(scene.camera(), map=f"{self.folder}/earlier", on_event=take)
+        self.assertFalse(odometry.is_in_map)
+        far = []
+        for frame in scene.frames():
+            record = odometry.process(frame)
+            if odometry.is_in_map and record.T_world_cam is not None:
+                here = T_world_odom[0] @ record.T_world_cam
+                far.append(np.linalg.norm(here[:3, 3] - scene.run().poses[frame.index, :3, 3]))
+        path = np.linalg.norm(np.diff(scene.run().poses[:, :3, 3], axis=0), axis=1)
+        self.assertGreater(len(far), 10)
+        self.assertLess(max(far), 0.1 * np.nansum(path))  # while the map is young
+        self.assertTrue(seen and seen[-1])
+        run = odometry.finish()
+        self.assertTrue(run.is_in_map and odometry.is_in_map)
+        self.assertFalse(scene.run().is_in_map)
+        lines: list[str] = []
+        again = edgevo.run(scene.Replay(), map=f"{self.folder}/earlier/map.db", log=lines.append)
+        self.assertTrue(again.is_in_map)
+        self.assertTrue(any("frames found in" in line for line in lines), lines)
+
+    def test_maps_that_cannot_be_used_are_refused(self) -> None:
+        for wrong in ({"map": f"{self.folder}/none"}, {"map": __file__}):
+            with self.assertRaises(edgevo.InputError):
+                edgevo.Odometry(scene.camera(), **wrong)
+        scene.run().save(f"{self.folder}/earlier")
+        with self.assertRaisesRegex(edgevo.InputError, "forget"):
+            edgevo.Odometry(scene.camera(), map=f"{self.folder}/earlier", forget=True)
+
     def test_the_seed_counts(self) -> None:
         other = edgevo.run(scene.Replay(), seed=2)
         self.assertNotEqual(self.poses_of(other), self.poses_of(scene.run()))

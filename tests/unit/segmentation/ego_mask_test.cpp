@@ -53,7 +53,7 @@ TEST(ReadMask, ScalesHoweverTheSidesWereRounded) {
 TEST(ReadMask, TransparencyIsADrawing) {
   const test::TempFolder folder;
   const std::string path = folder.path() + "/mask.png";
-  for (const int gray : {0, 120, 255}) {
+  for (const int gray : {120, 255}) {
     cv::Mat drawn(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(gray, gray, gray, 255));
     drawn.rowRange(0, 40) = cv::Scalar(gray, gray, gray, 0);
     cv::imwrite(path, drawn);
@@ -61,6 +61,10 @@ TEST(ReadMask, TransparencyIsADrawing) {
     EXPECT_EQ(mask.at(5, 39), 255) << gray;
     EXPECT_EQ(mask.at(5, 40), 0) << gray;
   }
+  cv::Mat both(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(0, 0, 0, 255));
+  both.rowRange(0, 40) = cv::Scalar(0, 0, 0, 0);
+  cv::imwrite(path, both);
+  EXPECT_THROW(read_mask(path, kMaskWidth, kMaskHeight), InputError) << "which of the two?";
   cv::imwrite(path, cv::Mat(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(255, 255, 255, 0)));
   EXPECT_THROW(read_mask(path, kMaskWidth, kMaskHeight), InputError) << "transparent all over";
 }

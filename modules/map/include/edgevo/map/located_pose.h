@@ -9,8 +9,7 @@ namespace edgevo {
 constexpr int kNoKeyframe = -1;
 
 /// Images within which a camera is located, where it can be: the first map of a run waits for them, since its
-/// motion and unit follow from such poses; not one that is made next to the frames
-/// (OdometryOptions::on_schedule).
+/// motion and unit follow from such poses.
 constexpr int kImagesToLocate = 6;
 
 /// Where an image was taken from.

@@ -63,8 +63,8 @@ class PlaceMemory {
   /// when the camera is corrected; in the thread of apply().
   void on_stored(std::function<void(const StoredKeyframe&)> follow) { on_stored_ = std::move(follow); }
   /// Calls `follow` with each sure keyframe while it is in the window: as soon as it is there, and once more
-  /// when the map has moved. That of on_stored() replaces it, or says by `record->is_doubtful` that it is
-  /// none.
+  /// with the next keyframe after the map has moved. That of on_stored() replaces it, or says by
+  /// `record->is_doubtful` that it is none.
   void on_young(std::function<void(const StoredKeyframe&)> follow) { on_young_ = std::move(follow); }
   /// Calls `follow` with each place that is stated in the kept map, as a constraint from the keyframe there
   /// to that of the run, by their ids; in the thread of apply().
@@ -112,7 +112,8 @@ class PlaceMemory {
   void handle(const Other&) {}
 
   void begin_young();
-  std::shared_ptr<const RememberedView> view_of(int id, const FramePyramid& pyramid);
+  int epoch_of(int keyframe) const;
+  std::shared_ptr<const RememberedView> view_of(int id, const std::shared_ptr<const FramePyramid>& pyramid);
   void pass_on_young(const WindowAdjusted& e);
   void take_young(const WindowAdjusted::Active& active);
   void look_up(size_t query);
@@ -135,10 +136,14 @@ class PlaceMemory {
   PlaceStore store_;
   PlaceStore young_;  // keyframes of the segment in use, as they were in the window last
   int young_segment_ = -1;
-  std::map<int, std::shared_ptr<const RememberedView>> views_;  // of keyframes in the window, by id
-  std::set<int> passed_on_;                                     // of these: those on_young_ knows as they are
-  std::set<int> first_of_epoch_{0};                             // ids of the first keyframes
-  std::deque<size_t> waiting_;  // positions of those that are not far enough back yet to be places
+  struct YoungView {
+    std::weak_ptr<const FramePyramid> of;
+    std::shared_ptr<const RememberedView> view;
+  };
+  std::map<int, YoungView> views_;   // of keyframes in the window, by id
+  std::set<int> passed_on_;          // of these: those on_young_ knows as they are
+  std::set<int> first_of_epoch_{0};  // ids of the first keyframes
+  std::deque<size_t> waiting_;       // positions of those that are not far enough back yet to be places
   Known own_, kept_;
   PlaceCounts counts_;
   bool looks_up_ = true, looks_up_young_ = false;

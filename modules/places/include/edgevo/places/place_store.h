@@ -34,9 +34,10 @@ class PlaceStore {
 
   /// Appends a keyframe; ids ascend.
   void add(StoredKeyframe keyframe) { keyframes_.push_back(std::move(keyframe)); }
-  /// Gives a keyframe its state of now.
-  void update(size_t at, KeyframeRecord record) {
-    keyframes_[at].record = std::make_shared<const KeyframeRecord>(std::move(record));
+  /// Gives a keyframe its state of now; its view stays if that has none.
+  void update(size_t at, StoredKeyframe now) {
+    if (!now.view) now.view = keyframes_[at].view;
+    keyframes_[at] = std::move(now);
   }
   /// The keyframes; positions in this vector name them below.
   const std::vector<StoredKeyframe>& keyframes() const { return keyframes_; }

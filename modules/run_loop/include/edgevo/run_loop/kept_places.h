@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // The map of an earlier run that a run is placed in: PastParams::kept, and what follows from it.
+#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -31,7 +31,8 @@ class KeptPlaces {
 
   /// Takes events of the run, in their order, while it goes on.
   void follow(const std::vector<std::shared_ptr<const MapEvent>>& events);
-  /// Whether the events so far place the run in the frame and unit of this map.
+  /// Whether the events so far place the segment in use in the frame and unit of this map: after a loss not
+  /// until it is found again.
   bool is_placed() const { return is_placed_; }
 
   /// Whether a finished run was found in the map.
@@ -48,7 +49,11 @@ class KeptPlaces {
   std::string path_;
   std::shared_ptr<const PlaceStore> places_;
   std::vector<std::string> warnings_;
-  std::set<int> found_;  // the constraints that say where the run is
+  void follow(const MapEvent& event);
+  bool is_found_in(int segment, int newest_constraint) const;
+
+  std::map<int, int> found_;  // the constraints that say where the run is, and their keyframes
+  std::map<int, int> first_;  // of each segment, its first keyframe
   bool is_metric_ = false, is_placed_ = false;
   double scale_sigma_ = 0;
 };

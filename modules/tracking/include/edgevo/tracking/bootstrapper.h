@@ -2,7 +2,6 @@
 #pragma once
 // The beginning of a segment: two views that make a map, the pose of that map in the world, and the poses of
 // the frames that led to it.
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,11 +9,11 @@
 #include "edgevo/confidence/integrity_monitor.h"
 #include "edgevo/features/view_link.h"
 #include "edgevo/map/frame_log.h"
-#include "edgevo/map/located_pose.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
 #include "edgevo/tracking/bootstrap_placement.h"
 #include "edgevo/tracking/front_end.h"
+#include "edgevo/tracking/located_views.h"
 #include "edgevo/tracking/tracking_params.h"
 
 namespace edgevo {
@@ -67,7 +66,7 @@ class Bootstrapper {
   [[nodiscard]] Reasons make_map(const BootstrapResult& views);
   /// A frame of the bootstrap has been located in a map that was kept: the next map begins there, by a motion
   /// with the turn between such frames.
-  void locate(const Frame& frame, const LocatedPose& found) { located_[frame.index] = {frame.time, found}; }
+  void locate(const Frame& frame, const LocatedPose& found) { located_.add(frame.index, frame.time, found); }
   /// Makes the new map that of `segment`: joins it to the segment before and gives the frames of the
   /// bootstrap their poses. `before`: the last sure view of that, which links the two maps if both see the
   /// same. `scale` is world over map, where it is known better than from equal speed; `known`: what was found
@@ -77,13 +76,7 @@ class Bootstrapper {
                            const SegmentBeginning* known = nullptr);
 
  private:
-  struct Located {
-    Timestamp time;
-    LocatedPose pose;
-  };
-
   std::optional<CameraTurn> turn_between(Timestamp begin, Timestamp end) const;
-  std::optional<SegmentPlaced> place_located(int segment, const BootstrapResult& views) const;
   SegmentPlaced place(int segment, const BootstrapResult& views,
                       const std::optional<TrustedReference>& before, const std::optional<ViewLink>& link,
                       std::optional<double> scale) const;
@@ -94,7 +87,7 @@ class Bootstrapper {
   MapLink* map_;
   FrameLog* frames_;
   TurnBetween turn_;
-  std::map<int, Located> located_;  // by frame, since the last map
+  LocatedViews located_;
 };
 
 }  // namespace edgevo

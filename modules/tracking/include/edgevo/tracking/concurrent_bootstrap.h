@@ -42,9 +42,11 @@ class ConcurrentBootstrap {
   /// behind tries only some frames, and one that is far behind loses the oldest. Begins to make a map
   /// once there are two views (MapLink::make_map), unless `ego_mask_monitor` delays it, and looks for what
   /// links it to `before`, the last sure view of the map before; until take_map() the caller must not use the
-  /// MapLink.
+  /// MapLink. With the frame comes where it was `located` in a kept map; none begins while it
+  /// `may_be_located` yet.
   BootstrapStatus look(const ArrivedFrame& now, EgoMaskMonitor& ego_mask_monitor,
-                       const std::optional<TrustedReference>& before);
+                       const std::optional<TrustedReference>& before,
+                       const std::optional<LocatedPose>& located = {}, bool may_be_located = false);
   /// Keeps a frame that arrives while frames_wait().
   void keep(const ArrivedFrame& now) { late_.add(now); }
 
@@ -72,6 +74,7 @@ class ConcurrentBootstrap {
     Timestamp time;
     std::shared_ptr<const FramePyramid> pyramid;
     ImageMotion rows;  // for which they have been rectified
+    std::optional<LocatedPose> located;
   };
   struct Search {
     Waiting frame;
@@ -94,6 +97,7 @@ class ConcurrentBootstrap {
   FrameBuffer late_;
   bool catches_up_ = false;
   // Of the searching thread.
+  LocatedViews located_;
   Bootstrap bootstrap_;
   int followed_ = 0;          // frames since the last attempt
   mutable std::mutex mutex_;  // guards what follows, up to making_
