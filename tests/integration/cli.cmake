@@ -47,7 +47,7 @@ edgevo_add_scene_test(mount LINKS edgevo::results edgevo::evaluation)
 # The plug-in for MRPT's programs, loaded as they load it.
 find_package(MRPT REQUIRED COMPONENTS hwdrivers maps)
 find_package(octomap REQUIRED)
-edgevo_add_scene_test(plugin LINKS mrpt::hwdrivers mrpt::maps octomap octomath opencv_imgcodecs opencv_videoio
+edgevo_add_scene_test(plugin LINKS edgevo::edges edgevo::simulation mrpt::hwdrivers mrpt::maps octomap octomath opencv_imgcodecs opencv_videoio
   ${CMAKE_DL_LIBS})
 target_compile_definitions(test_plugin PRIVATE EDGEVO_PLUGIN="$<TARGET_FILE:edgevo_plugin>")
 add_dependencies(test_plugin edgevo_plugin)

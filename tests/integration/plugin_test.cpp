@@ -23,6 +23,7 @@
 #include "edgevo/datasets/open_source.h"
 #include "edgevo/mrpt_bridge/rawlog_import.h"
 #include "support/temp_folder.h"
+#include "unit/odometry/hand_source.h"
 
 namespace edgevo {
 namespace {
@@ -30,6 +31,7 @@ namespace {
 using mrpt::hwdrivers::CGenericSensor;
 using mrpt::poses::CPose3D;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Plugin : public ::testing::Test {
  protected:
@@ -245,6 +247,21 @@ TEST_F(Sensor, DeliversImagePoseAndPoints) {
   EXPECT_TRUE(is_said);
   EXPECT_GE(scans, 2);
   EXPECT_GE(points, 200u * size_t(scans));
+}
+
+// What the sensor says of the gyro that a rawlog has next to its camera.
+TEST_F(Sensor, IsGivenTheGyroOfARawlog) {
+  const auto said = [&](const std::vector<GyroSample>& gyro) {
+    test::HandSource hand(0, gyro);
+    import_rawlog(hand, folder_ / "hand.rawlog");
+    const auto sensor = load("grabber_type = rawlog\nrawlog_file = " + (folder_ / "hand.rawlog") + "\n");
+    ::testing::internal::CaptureStderr();
+    sensor->initialize();
+    reason_of_end(*sensor, test::kHandFrames + 5);
+    return ::testing::internal::GetCapturedStderr();
+  };
+  EXPECT_THAT(said(test::phone_in_hand()), HasSubstr("gyro: observed, turned by"));
+  EXPECT_THAT(said({}), Not(HasSubstr("gyro")));
 }
 
 // At the end of a video CCameraSensor returns nothing, forever.

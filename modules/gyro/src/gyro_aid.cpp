@@ -121,7 +121,10 @@ void GyroAid::take_fit(const GyroFit& fit) {
       fit.kind == (filter_->model().is_mirrored() ? Kind::kMirrored : Kind::kRelated))
     return;  // as it was followed
   filter_.reset();
-  if (fit.kind == Kind::kPerhapsMirrored) return;
+  if (fit.kind == Kind::kPerhapsMirrored) {
+    fault_ = "not used yet: its axes may be mirrored, or two swapped";
+    return;
+  }
   if (fit.kind == Kind::kMirrored)
     return report_once("not used: its axes are mirrored, or two are swapped (left-handed)", &fault_);
   if (fit.kind == Kind::kOtherRates) {
@@ -163,21 +166,28 @@ void GyroAid::follow(const SeenTurn& seen) {
   const std::optional<CameraTurn> shown = camera_turn(gyro_, filter_->model(), seen.begin, seen.end);
   if (!shown) return;
   const bool was_broken = filter_->is_broken();
-  if (const auto change = filter_->see(gyro_, seen, factor())) note(describe(*change), change->since_s);
-  const bool is_broken = filter_->is_broken();
-  if (is_broken && !was_broken) note("not used for now: it does not turn as the images do", seen.begin);
-  if (was_broken && !is_broken) check_again();
+  if (const auto change = filter_->see(gyro_, seen, factor())) {
+    note(describe(*change), change->since_s);
+    const bool sits_as_before =
+        change->kind == GyroChangeKind::kBias || change->kind == GyroChangeKind::kClock;
+    if (!sits_as_before) check_again();
+  }
+  if (filter_->is_broken() && !was_broken) {
+    note("not used for now: it does not turn as the images do", seen.begin);
+    check_again();
+  }
   compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));
 }
 
 void GyroAid::note(const std::string& change, double since_s) {
   changed_ = change + formatted(" at %.2f s after its first sample", since_s);
   reports_.push_back("gyro: " + changed_);
-  if (!checks_change_) check_again();
 }
 
-// Whether it still turns with the camera is found as that of a new one, from now on.
+// Whether and how it turns with the camera is found as that of a new one, from now on, and until then it is
+// not used: what explains a change of two axes that were swapped fits for as long as the camera turns as now.
 void GyroAid::check_again() {
+  if (checks_change_) return;
   checks_change_ = true;
   turns_.clear();
   next_calibration_ = kFirstTurns;
@@ -218,7 +228,8 @@ std::optional<CameraTurn> GyroAid::turn(Timestamp begin, Timestamp end) const {
   if (!found) return std::nullopt;
   const double dt = seconds_between(begin, end);
   found->covariance *= factor();
-  found->covariance.diagonal().array() += filter_->variance_of_rate() * dt * dt;
+  found->broken2 = filter_->variance_of_rate() * dt * dt;
+  found->covariance.diagonal().array() += found->broken2;
   return found;
 }
 
@@ -241,8 +252,8 @@ std::string GyroAid::statement() const {
   if (!has_samples()) return {};
   if (!stuck_.empty()) return stuck_;
   if (!fault_.empty()) return fault_;
-  if (!filter_) return "not observed: the camera has not turned enough";
   const std::string changed = changed_.empty() ? "" : "; " + changed_;
+  if (!filter_) return "not observed: the camera has not turned enough" + changed;
   if (!is_observed())
     return "not observed: the camera has turned about one axis only; " + describe(filter_->model()) + changed;
   return "observed, " + describe(filter_->model()) + describe_noise() + changed;

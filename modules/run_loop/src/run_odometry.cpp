@@ -128,6 +128,17 @@ void begin_with_camera(FirstFrames* first, const OdometryParams& params, const S
                            1e3 * options->camera->correction.readout_s));
 }
 
+// Frames on a schedule do not wait for a first look.
+void say_found_shutter(const RunLoop& loop) {
+  const CameraRefinement& camera = loop.result->run.camera;
+  if (!loop.options.on_schedule || !loop.options.log) return;
+  if (camera.shutter.state == CameraRefinement::State::kApplied)
+    loop.options.log(
+        formatted("a rolling shutter of %.1f ms was found on the way: camera.readout_s=%.4f makes it "
+                  "known from the first frame on",
+                  1e3 * camera.correction.readout_s, camera.correction.readout_s));
+}
+
 // What `work`, which takes frames from the source, throws; nothing once the caller has stopped the run.
 template <class Work>
 std::exception_ptr exception_of(const Stop& stop, Work&& work) {
@@ -180,6 +191,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
       result.places = past.finish();
       result.run = odometry.finish();
     });
+    say_found_shutter(loop);
   };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);

@@ -90,6 +90,7 @@ void FrontEnd::see_turn(const ArrivedFrame& now, const Track& track) {
 }
 
 void FrontEnd::confirm_turn() {
+  in_doubt_ = false;
   if (const auto turn = std::exchange(seen_turn_, std::nullopt))
     gyro_.see(turn->begin, turn->end, turn->R, turn->covariance);
 }
@@ -166,14 +167,26 @@ Track FrontEnd::track_scene(ArrivedFrame* now, bool was_lost) {
   return found;
 }
 
+// Whether no pose fits, or the image turns otherwise than a gyro does that turns with the camera. That it may
+// not, by earlier frames, is no reason to go on with rows that it bends.
+bool FrontEnd::contradicts_gyro(const ArrivedFrame& now, const Track& found) const {
+  const std::optional<CameraTurn> turn = gyro_.turn(reference_->time, now.frame.time);
+  if (!turn) return false;
+  const Eigen::Matrix3d if_right = turn->covariance - turn->broken2 * Eigen::Matrix3d::Identity();
+  return !SupportScorer(params_.status).fits(found.result) ||
+         RotationPrior{turn->R, if_right.inverse()}.is_far_off(found.by_image.R_cur_ref,
+                                                               found.by_image.covariance);
+}
+
 // A frame that turns otherwise than the gyro says is seen again without it, its rows too, and what the image
 // supports better counts. Else a gyro that is wrong bends rows, pose and map, and no image contradicts it.
+// While the map is in doubt, perhaps since it is bent already, so is the gyro: a pose without it counts that
+// is as much better supported as one of unusual motion has to be.
 void FrontEnd::doubt_gyro(const Reference& scene, bool was_lost, ArrivedFrame* now, Track* found) {
-  const std::optional<RotationPrior> turn = turn_since_reference(now->frame.time);
+  if (was_lost || !motion_.knows_rotation()) return;
+  const bool contradicts = contradicts_gyro(*now, *found);
+  if (!contradicts && !in_doubt_) return;
   const SupportScorer scorer(params_.status);
-  const RotationByImage& seen = found->by_image;
-  if (!turn || was_lost) return;
-  if (scorer.fits(found->result) && !turn->is_far_off(seen.R_cur_ref, seen.covariance)) return;
   const MotionModel with_gyro = motion_;
   motion_.know_rotation(std::nullopt);
   ArrivedFrame again = *now;
@@ -181,7 +194,8 @@ void FrontEnd::doubt_gyro(const Reference& scene, bool was_lost, ArrivedFrame* n
   if (again.rows.is_rolling()) again.pyramid = builder_.rebuild(*now->pyramid, again.rows.expected);
   Track by_image = track_frame(task(again, scene, was_lost));
   const double corner_ms = found->corner_ms + by_image.corner_ms;
-  if (scorer.score(by_image.result) > scorer.score(found->result)) {
+  const double likelihood = contradicts ? 1 : kUnusualLikelihood;
+  if (likelihood * scorer.score(by_image.result) > scorer.score(found->result)) {
     *found = std::move(by_image);
     if (newest_pyramid_ == now->pyramid) newest_pyramid_ = again.pyramid;
     now->pyramid = again.pyramid;
@@ -224,6 +238,7 @@ std::optional<CornerJob> FrontEnd::corner_job(const ArrivedFrame& now, const Tra
 void FrontEnd::follow(const ArrivedFrame& now, const Track& track) {
   const SE3& T_cur_ref = track.result.T_cur_ref;
   seen_turn_.reset();
+  in_doubt_ = true;
   see_turn(now, track);
   pose_time_ = now.frame.time;
   const bool stands = now.record->evidence.stands;

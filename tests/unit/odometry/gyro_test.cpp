@@ -6,12 +6,14 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "edgevo/core/angle.h"
 #include "edgevo/core/rotation_vector.h"
 #include "edgevo/odometry/odometry.h"
 #include "edgevo/simulation/simulated_gyro.h"
+#include "unit/odometry/hand_source.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo::test {
@@ -23,7 +25,7 @@ constexpr double kStep = 0.05;  // seconds from image to image
 constexpr int kFrames = 110;
 
 // A hand that moves through the room and looks about.
-SE3 hand_at(double t) {
+SE3 slow_hand_at(double t) {
   const Eigen::Vector3d turn(0.06 * std::sin(2.3 * t), 0.10 * std::sin(1.7 * t), 0.05 * std::sin(1.9 * t));
   return sweep_pose(t / kStep) * SE3(rotation_of(turn), Eigen::Vector3d::Zero());
 }
@@ -32,7 +34,7 @@ Frame hand_frame(int k) {
   static const HollowScene scene;
   static std::vector<GrayImage> images;
   for (int i = int(images.size()); i <= k; ++i)
-    images.push_back(scene.render(hand_at(kStep * i), 1, 0, 1.5, uint64_t(i + 1)));
+    images.push_back(scene.render(slow_hand_at(kStep * i), 1, 0, 1.5, uint64_t(i + 1)));
   return {k, Timestamp::from_seconds(kStep * k), images[size_t(k)]};
 }
 
@@ -68,7 +70,7 @@ HandRun run_hand(const SimulatedGyro& gyro, const Conditions& conditions = {}) {
     if (pose.T_cam_map) R_cam_map = pose.T_cam_map->rotation(), last = k;
     if (!pose.heading || !R_cam_map) continue;
     const Eigen::Quaterniond truth =
-        hand_at(kStep * k).rotation().conjugate() * hand_at(kStep * last).rotation();
+        slow_hand_at(kStep * k).rotation().conjugate() * slow_hand_at(kStep * last).rotation();
     const Eigen::Quaterniond found = pose.heading->R_cam_map * R_cam_map->conjugate();
     result.heading_errors.push_back(deg(rotation_vector(found * truth.conjugate()).norm()));
     result.heading_sigmas.push_back(deg(std::sqrt(pose.heading->covariance.trace())));
@@ -78,10 +80,10 @@ HandRun run_hand(const SimulatedGyro& gyro, const Conditions& conditions = {}) {
   return result;
 }
 
-SimulatedGyro phone() { return simulate_gyro(hand_at, 0, kStep * kFrames + 0.5, "phone", 3); }
+SimulatedGyro phone() { return simulate_gyro(slow_hand_at, 0, kStep * kFrames + 0.5, "phone", 3); }
 
 double error_of(const Run& run) {
-  return trajectory_error(run, 0, kFrames, [](int k) { return hand_at(kStep * k); }).rmse;
+  return trajectory_error(run, 0, kFrames, [](int k) { return slow_hand_at(kStep * k); }).rmse;
 }
 
 TEST(Gyro, HowItSitsIsFoundWithinSeconds) {
@@ -130,6 +132,33 @@ TEST(Gyro, OneThatIsMirroredAmidTheRunIsNamedAndDoesNoHarm) {
   const HandRun hand = run_hand(phone(), mirrored);
   EXPECT_THAT(hand.gyro.statement, HasSubstr("mirrored"));
   EXPECT_LT(error_of(hand.run), 2 * without);  // four images: the first are taken for outliers
+}
+
+// Error of a run of a hand that shakes, whose rolling shutter is known.
+double error_of_shaking(const std::vector<GyroSample>& gyro) {
+  constexpr double kReadoutS = 0.03;
+  OdometryParams params;
+  params.camera.readout_s = kReadoutS;
+  HandSource source(kReadoutS, gyro);
+  Odometry odometry(source.camera(), params);
+  size_t next = 0;
+  while (const std::optional<Frame> frame = source.next()) {
+    for (; next < gyro.size() && seconds_between(frame->time, gyro[next].time) < 0.1; ++next)
+      odometry.add_gyro(gyro[next]);
+    odometry.process(*frame);
+  }
+  return trajectory_error(odometry.finish(), 0, kHandFrames, hand_at_frame).rmse;
+}
+
+// It bends the rows, and with them the map, so that frames are doubted, and none of these shows that it is
+// wrong: they are seen again without it.
+TEST(Gyro, OneWhoseAxesAreSwappedAmidTheRunIsFoundInAMapThatItBends) {
+  const double without = error_of_shaking({});
+  std::vector<GyroSample> gyro = phone_in_hand();
+  EXPECT_LT(error_of_shaking(gyro), without);
+  for (GyroSample& s : gyro)
+    if (s.time.seconds() > 3) std::swap(s.rate.x(), s.rate.y());
+  EXPECT_LT(error_of_shaking(gyro), 2.5 * without);  // its first frames
 }
 
 }  // namespace

@@ -4,14 +4,12 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "edgevo/core/rotation_vector.h"
 #include "edgevo/run_loop/run_odometry.h"
-#include "edgevo/simulation/simulated_gyro.h"
+#include "unit/odometry/hand_source.h"
 #include "unit/odometry/rendered_runs.h"
 
 namespace edgevo::test {
@@ -19,49 +17,10 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kStep = 0.05;  // seconds from image to image
-constexpr int kFrames = 100;
-
-// A hand that moves through the room and shakes.
-SE3 hand_at(double t) {
-  const Eigen::Vector3d turn(0.12 * std::sin(5.3 * t), 0.16 * std::sin(4.1 * t), 0.10 * std::sin(4.7 * t));
-  return sweep_pose(t / kStep) * SE3(rotation_of(turn), Eigen::Vector3d::Zero());
-}
-
-SE3 hand_at_frame(int k) { return hand_at(kStep * k); }
-
-class HandSource : public ImageSource {
- public:
-  HandSource(double readout_s, const std::vector<GyroSample>& gyro) : readout_s_(readout_s), gyro_(gyro) {}
-
-  const Camera& camera() const override { return scene_.camera; }
-  std::optional<int> size() const override { return kFrames; }
-  std::string kind() const override { return "a hand"; }
-  GyroReadings gyro_readings() const override {
-    if (gyro_.empty()) return {};
-    return [this, next = size_t(0)]() mutable -> std::optional<GyroSample> {
-      return next < gyro_.size() ? std::make_optional(gyro_[next++]) : std::nullopt;
-    };
-  }
-  std::optional<Frame> next() override {
-    if (next_ == kFrames) return std::nullopt;
-    const int k = next_++;
-    return Frame{k, Timestamp::from_seconds(kStep * k),
-                 scene_.render_rolling([&](double late) { return hand_at(kStep * k + late * readout_s_); },
-                                       1.5, uint64_t(k + 1))};
-  }
-
- private:
-  HollowScene scene_;
-  double readout_s_;
-  const std::vector<GyroSample>& gyro_;
-  int next_ = 0;
-};
-
 struct HandRun {
   RunResult result;
   std::string log;
-  double error() const { return trajectory_error(result.run, 0, kFrames, hand_at_frame).rmse; }
+  double error() const { return trajectory_error(result.run, 0, kHandFrames, hand_at_frame).rmse; }
 };
 
 HandRun run_hand(double readout_s, const std::vector<GyroSample>& gyro) {
@@ -73,23 +32,19 @@ HandRun run_hand(double readout_s, const std::vector<GyroSample>& gyro) {
   return run;
 }
 
-std::vector<GyroSample> phone() {
-  return simulate_gyro(hand_at, 0, kStep * kFrames + 0.5, "phone", 3).samples;
-}
-
 TEST(FirstLook, ARollingShutterIsKnownFromTheFirstFrameOn) {
   constexpr double kReadoutS = 0.03;
-  const std::vector<GyroSample> gyro = phone(), none;
+  const std::vector<GyroSample> gyro = phone_in_hand(), none;
   const HandRun with = run_hand(kReadoutS, gyro), without = run_hand(kReadoutS, none);
   EXPECT_THAT(with.log, HasSubstr("the first frames show a rolling shutter"));
   EXPECT_EQ(with.result.run.camera.shutter.state, CameraRefinement::State::kApplied);
   EXPECT_NEAR(with.result.run.camera.correction.readout_s, kReadoutS, 0.003);
-  EXPECT_EQ(with.result.run.frames.size(), size_t(kFrames));
+  EXPECT_EQ(with.result.run.frames.size(), size_t(kHandFrames));
   EXPECT_LT(with.error(), 0.6 * without.error());
 }
 
 TEST(FirstLook, AGlobalShutterChangesNothing) {
-  const std::vector<GyroSample> gyro = phone();
+  const std::vector<GyroSample> gyro = phone_in_hand();
   const HandRun looked = run_hand(0, gyro);
   EXPECT_THAT(looked.log, Not(HasSubstr("rolling")));
   Odometry odometry(HollowScene().camera);
@@ -99,16 +54,18 @@ TEST(FirstLook, AGlobalShutterChangesNothing) {
       odometry.add_gyro(gyro[next]);
     odometry.process(*frame);
   }
-  EXPECT_EQ(trajectory_error(odometry.finish(), 0, kFrames, hand_at_frame).rmse, looked.error());
+  EXPECT_EQ(trajectory_error(odometry.finish(), 0, kHandFrames, hand_at_frame).rmse, looked.error());
 }
 
 TEST(FirstLook, IsForRecordingsWithAGyroWhoseReadOutTimeIsSought) {
-  const std::vector<GyroSample> gyro = phone(), none;
+  const std::vector<GyroSample> gyro = phone_in_hand(), none;
   const HandSource with(0, gyro), without(0, none);
   EXPECT_TRUE(takes_first_look(with, {}, {}));
   EXPECT_FALSE(takes_first_look(without, {}, {}));
   OdometryOptions realtime;
   realtime.realtime = true;
+  EXPECT_TRUE(takes_first_look(with, {}, realtime));
+  realtime.on_schedule = true;
   EXPECT_FALSE(takes_first_look(with, {}, realtime));
   OdometryParams known;
   known.camera.readout_s = 0.02;

@@ -43,8 +43,8 @@ class GyroAid {
   /// before. How the gyro sits is found anew, and what was found counts little until then.
   void images_changed();
 
-  /// Rotation of the camera between two times; nothing while the gyro is not calibrated or is not used, or
-  /// where samples are missing.
+  /// Rotation of the camera between two times; nothing while the gyro is not calibrated, is not used or is
+  /// checked after a change, or where samples are missing.
   std::optional<CameraTurn> turn(Timestamp begin, Timestamp end) const;
   /// How points turn around the camera during `readout_s` seconds around `time` (0: of a global shutter, or
   /// not known); nothing as turn().
@@ -53,7 +53,7 @@ class GyroAid {
   /// The gyro next to the camera; null before it is calibrated.
   const GyroModel* model() const { return filter_ ? &filter_->model() : nullptr; }
   /// Whether turn() may give something.
-  bool is_used() const { return filter_.has_value(); }
+  bool is_used() const { return filter_ && !checks_change_; }
   /// What was found since the last call, one line each.
   std::vector<std::string> take_reports();
   /// What is known at the end, in words: for the summary of a run. Empty without samples.

@@ -75,6 +75,9 @@ struct CameraTurn {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   /// The part of the noise.
   Eigen::Matrix3d noise = Eigen::Matrix3d::Zero();
+  /// The part, about each axis, by which it is as unsure as it is likely that the gyro does not turn with the
+  /// camera, rad^2.
+  double broken2 = 0;
   /// Derivative of delta by the unknowns.
   GyroJacobian by_unknowns = GyroJacobian::Zero();
 };

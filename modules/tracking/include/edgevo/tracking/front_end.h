@@ -143,6 +143,7 @@ class FrontEnd {
   std::optional<CornerJob> corner_job(const ArrivedFrame& now, const Track& track) const;
   TrackingTask task(const ArrivedFrame& now, const Reference& scene, bool was_lost);
   Track track_scene(ArrivedFrame* now, bool was_lost);
+  bool contradicts_gyro(const ArrivedFrame& now, const Track& found) const;
   void doubt_gyro(const Reference& scene, bool was_lost, ArrivedFrame* now, Track* found);
   void update_zero_velocity(const ArrivedFrame& now, bool was_lost, Track* found);
   void follow(const ArrivedFrame& now, const Track& track);
@@ -157,6 +158,7 @@ class FrontEnd {
   MotionModel motion_;
   GyroAid gyro_;
   std::optional<ImageTurn> seen_turn_;     // until the pose is confirmed
+  bool in_doubt_ = false;                  // the newest frame: its turn was not confirmed
   Timestamp begun_, pose_time_;            // of the newest frame, and of the last one with a pose
   std::optional<RotationByImage> turned_;  // of that one
   MotionHistory* history_;
