@@ -22,7 +22,7 @@ void Odometry::Impl::bootstrap_map(const ArrivedFrame& now) {
   FrameRecord& record = *now.record;
   const StageTimer timer(Stage::kBootstrap, &record.stage_ms);
   frame_published = false;  // times and note change
-  record.evidence.stands = !now.still.empty();
+  record.evidence.stands = now.still.show_it();
   if (!concurrent) replay.add(now);
   const std::optional<LocatedPose> located = locate(now);
   const BootstrapStatus status = concurrent ? search_concurrently(now, located) : search_and_make(now);

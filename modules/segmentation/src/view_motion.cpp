@@ -11,9 +11,8 @@ constexpr int kMinInBlock = 4;  // edges that show whether a block moves
 // that stood, from image to image.
 constexpr double kMinStill = 0.7;
 constexpr int kMinImages = 2;  // for one, every slow camera stands
-// Images in which most of the view moves: of a view that was never seen to stand, and of one that was, a
-// queue of traffic of 10 to 30 s.
-constexpr int kMaxCrossing = 30, kMaxCovered = 300;
+// Images in which most of the view moves and nothing supports that the camera stands: a bus of 2 to 6 s.
+constexpr double kMaxCrossing = 60;
 
 }  // namespace
 
@@ -24,8 +23,10 @@ void ViewMotion::decide(int still, int stood, int still_standing) {
   const bool slides_off = number(Block::kSlid) > hidden + still;
   stands_ = stands_ ? !at_once && !slides_off : voting_ > 0 && 2 * still >= voting_;
   was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
-  crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + 1 : 0;
-  if (crossed_images_ > (was_all_still_ ? kMaxCovered : kMaxCrossing)) stands_ = false;
+  // What still stands after a camera has driven off behind a bus would stand by chance, block by block.
+  const double unsupported = 1.0 / (was_all_still_ ? 1 + still_standing : 1);
+  crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + unsupported : 0;
+  if (crossed_images_ > kMaxCrossing) stands_ = false;
 }
 
 void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {

@@ -41,9 +41,10 @@ class ViewMotion {
   bool stands_ = false;
   std::vector<uint8_t> moves_;
   std::vector<Block> blocks_;  // how each left its place, since the camera stands
-  // Of a camera that stands: whether nearly all was seen to stand still; images in a row in which most moved.
+  // Of a camera that stands: whether nearly all was seen to stand still; images in a row in which most moved,
+  // each by the blocks that still stand.
   bool was_all_still_ = false;
-  int crossed_images_ = 0;
+  double crossed_images_ = 0;
 };
 
 }  // namespace edgevo

@@ -21,12 +21,10 @@ constexpr size_t kMaxWhileNeeded = 60, kMaxUsually = 16;
 void BackwardReplay::add(const ArrivedFrame& now) {
   const bool stands = !now.still.empty() && now.still.is_certain;
   is_needed_ |= stands;
-  if (stands && !frames_.empty() && frames_.back().stands) {
-    frames_.back().frames.push_back(now.frame.index);
-    frames_.back().pyramid = now.pyramid;
-  } else {
-    frames_.push_back({{now.frame.index}, stands, now.pyramid});
-  }
+  if (!stands || frames_.empty() || !frames_.back().stands) frames_.push_back({{}, stands, 0, now.pyramid});
+  Early& view = frames_.back();
+  view.frames.push_back(now.frame.index);
+  if (!stands || now.still.show_it()) view.shown = view.frames.size(), view.pyramid = now.pyramid;
   const bool may_be_needed = is_needed_ || now.may_show_ego_part;
   while (frames_.size() > (may_be_needed ? kMaxWhileNeeded : kMaxUsually)) frames_.pop_front();
 }
@@ -42,6 +40,7 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
   while (!early.empty()) {
     const Early view = std::move(early.back());
     early.pop_back();
+    if (view.shown < view.frames.size()) return;  // it drove off unseen: no steps lead there
     if (view.frames.front() >= views.views.front().frame_index) continue;
     const TrackResult found =
         track(*view.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
@@ -51,6 +50,7 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
       std::optional<FrameRecord> record = frames->find(*i);
       if (!record || record->T_world_cam_live) return;
       add_pose(found, reference, &record->evidence);
+      record->evidence.stands |= view.stands;
       const TrackingState state = frame_status(record->evidence, params.status).state;
       if (state == TrackingState::kLost) return;
       assign_status({state, {}}, &*record);

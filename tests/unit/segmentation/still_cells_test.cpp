@@ -61,6 +61,23 @@ TEST(StillCells, StandWhileABusHidesTheWholeView) {
   EXPECT_EQ(builder.masks.still_cells().images, 0);
 }
 
+// The bus hides all of the view, and has gone without a trace of what stood.
+TEST(StillCells, MoveOnceTheCameraHasDrivenOffBehindABus) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  int moved_at = 0;
+  for (int i = 0; i < 140 && !moved_at; ++i) {
+    const double right = 12 * i, driven = std::max(0, i - 45);
+    const auto bus = [&](double x, double y) -> std::optional<double> {
+      if (x > right || x < right - 600) return std::nullopt;
+      return random_blocks(x - right, y, 3);
+    };
+    builder.build(part_view(3 * driven, 1.3 * driven, bus, uint64_t(i + 1)));
+    if (builder.masks.still_cells().images == 0 && i > 0) moved_at = i;
+    EXPECT_FALSE(i >= 85 && builder.masks.still_cells().show_it()) << i;
+  }
+  EXPECT_GT(moved_at, 45);
+}
+
 // A camera that starts so slowly that blocks of the view leave their place one after the other.
 TEST(StillCells, MoveOnceTheViewHasSlidAway) {
   MaskedBuilder builder(part_camera(), EdgeParams());

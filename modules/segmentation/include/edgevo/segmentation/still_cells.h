@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -22,6 +23,11 @@ struct StillCells {
 
   /// Whether there are none.
   bool empty() const { return is_still.empty(); }
+  /// Whether as many as a column of them stand still. Else nothing shows that the camera does: all is hidden,
+  /// it may have driven off behind that, and what seems still is so by chance.
+  bool show_it() const {
+    return std::count(is_still.begin(), is_still.end(), uint8_t(1)) >= std::max(rows, 1);
+  }
   /// Whether a place lies in one of them; shares of width and height, 0 to below 1.
   bool contain(double across, double down) const {
     return !empty() && is_still[size_t(int(down * rows) * columns + int(across * columns))] != 0;

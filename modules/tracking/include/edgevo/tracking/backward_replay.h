@@ -32,10 +32,12 @@ class BackwardReplay {
   void clear();
 
  private:
-  // Frames that share a pose, since the camera stands, by their indices; the edges of the last one.
+  // Frames that share a pose, since the camera stands, by their indices; the edges of the last one that shows
+  // it, and the number of frames up to that: the camera may drive off behind what hides the view.
   struct Early {
     std::vector<int> frames;
     bool stands;
+    size_t shown;
     std::shared_ptr<const FramePyramid> pyramid;
   };
   std::deque<Early> frames_;
