@@ -34,13 +34,19 @@ DelayedSensor::DelayedSensor(const Camera& camera, const OdometryParams& params,
                              ServoFeed* feed, std::shared_ptr<const PlaceStore> kept)
     : events_(log_),
       in_kept_(kept ? std::optional<KeptMapTracker>(kept) : std::nullopt),
-      past_(
-          camera, std::nullopt, options_of(servo, log_),
-          {{}, {}, std::move(kept), true, [this](const StoredKeyframe& k) { keyframes_.push_back(k); }, {}}),
+      past_(camera, std::nullopt, options_of(servo, log_), past_params(std::move(kept))),
       odometry_(camera, params, options_of(servo, log_)),
       given_latency_s_(servo.latency_s),
       cpu_latency_(servo.cpu_latency),
       feed_(feed) {}
+
+PastParams DelayedSensor::past_params(std::shared_ptr<const PlaceStore> kept) {
+  PastParams past;
+  past.kept = std::move(kept);
+  past.looks_up_young = true;
+  past.on_stored = [this](const StoredKeyframe& k) { keyframes_.push_back(k); };
+  return past;
+}
 
 void DelayedSensor::push(Frame frame) {
   if (waiting_) ++replaced_;

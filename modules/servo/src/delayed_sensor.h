@@ -39,6 +39,7 @@ class DelayedSensor {
   KeptLoop finish();
 
  private:
+  PastParams past_params(std::shared_ptr<const PlaceStore> kept);
   void work(std::vector<ServoRow>* rows);
 
   // A result, and when it is ready.
