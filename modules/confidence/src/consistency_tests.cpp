@@ -9,25 +9,16 @@
 namespace edgevo {
 namespace {
 
-constexpr double kMostCertain = 1e-3;
-
-// Cameras of two kinds: the share of the wrong ones, and the errors of both.
-struct Kinds {
-  double share_of_wrong, error_of_wrong, error_of_right;
-};
-// Of the camera files that people bring one in four has another focal length than the camera, by a fifth or
-// so; the others are right to a hundredth.
-constexpr Kinds kFiles{0.25, 0.2, 0.01};
-// One lens in ten zooms or hunts for its focus, by 3 % or so; maps feign half a per cent.
-constexpr Kinds kLenses{0.1, 0.03, 0.005};
+// One camera in ten has another focal length than its file says, or zooms or hunts for its focus, by a tenth
+// or so; of the others an estimate shows its own error.
+constexpr double kShareOfWrong = 0.1, kErrorOfWrong = 0.1;
 
 double normal_density(double x, double sigma) { return std::exp(-0.5 * x * x / (sigma * sigma)) / sigma; }
 
 // Bayes: it is one of the wrong ones, after an estimate of its error with this standard deviation.
-double probability_of_wrong_kind(double error, double sigma, const Kinds& kinds) {
-  const double wrong = kinds.share_of_wrong * normal_density(error, std::hypot(sigma, kinds.error_of_wrong));
-  const double right =
-      (1 - kinds.share_of_wrong) * normal_density(error, std::hypot(sigma, kinds.error_of_right));
+double probability_of_wrong_kind(double error, double sigma) {
+  const double wrong = kShareOfWrong * normal_density(error, std::hypot(sigma, kErrorOfWrong)),
+               right = (1 - kShareOfWrong) * normal_density(error, sigma);
   return wrong / (wrong + right);
 }
 
@@ -59,9 +50,8 @@ double evidence_of_corners(const CornerEvidence& c, double length_depths) {
 }
 
 double evidence_of_map(double moved_depths, double length_depths) {
-  constexpr double kNothing = 0.05;  // tolerances
   const double times = moved_depths / translation_tolerance(length_depths);
-  return std::isfinite(times) ? std::log(std::max(times, kNothing)) : CornerEvidence::kUnknown;
+  return std::isfinite(times) ? std::log(std::max(times, kMostCertain)) : CornerEvidence::kUnknown;
 }
 
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad) {
@@ -69,20 +59,20 @@ double evidence_of_turn(double turn_rad, double length_depths, double error_per_
   return log_odds(probability_beyond(0, error_per_rad * turn_rad, translation_tolerance(length_depths)));
 }
 
-double change_of_step(double recent, double usual, double median_depth, double small_step) {
-  const double small = std::isfinite(median_depth) ? small_step * median_depth : 0.1 * usual;
-  return std::log((recent + small) / (usual + small));
+double change_of_step(double step, double usual, double median_depth, double small_step) {
+  const double small = std::isfinite(median_depth) ? small_step * median_depth : 0;
+  return std::log((step + small) / (usual + small));
 }
 
 double probability_of_wrong_focal_length(double focal_error, double sigma, double turn_deg) {
   const double turn = turn_deg / (1 + focal_error);  // in truth
-  const double p = probability_of_wrong_kind(focal_error, sigma, kFiles) *
+  const double p = probability_of_wrong_kind(focal_error, sigma) *
                    probability_beyond(focal_error * turn, sigma * turn, kMotionTolerance.rotation_deg);
   return std::isfinite(p) ? p : 0;
 }
 
 double probability_of_wrong_zoom(double feigned_depths, double sigma, double length_depths) {
-  const double p = probability_of_wrong_kind(feigned_depths, sigma, kLenses) *
+  const double p = probability_of_wrong_kind(feigned_depths, sigma) *
                    probability_beyond(feigned_depths, sigma, translation_tolerance(length_depths));
   return std::isfinite(p) ? p : 0;
 }

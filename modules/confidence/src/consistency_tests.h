@@ -12,7 +12,10 @@ namespace edgevo {
 /// Probability that an error of this mean and standard deviation, normally distributed, exceeds the tolerance
 /// either way, 0 to 1; NaN if one of them is.
 double probability_beyond(double mean, double sigma, double tolerance);
-/// Natural logarithm of the odds; no measurement is surer than one in a thousand.
+/// No measurement is surer than this: a probability, and a size over its tolerance. It shall not outweigh the
+/// others: that nothing was adjusted does not prove a map.
+constexpr double kMostCertain = 0.01;
+/// Natural logarithm of the odds.
 double log_odds(double probability);
 
 /// Largest error of a right translation over ten frames, median depths: a quarter of its length, or 2 % of
@@ -22,16 +25,16 @@ double translation_tolerance(double length_depths);
 /// rotation beyond 3 degrees. Corners that are few, far or without a unit have a large standard deviation.
 double evidence_of_corners(const CornerEvidence& c, double length_depths);
 /// By how much adjustments of keyframes moved the camera within the ten frames (`moved_depths`, median
-/// depths): natural logarithm of tolerances. Less than a twentieth is nothing.
+/// depths): natural logarithm of tolerances.
 double evidence_of_map(double moved_depths, double length_depths);
 /// Log odds of a wrong translation that the turn over ten frames hides (2 % of the depth and a quarter of the
 /// length): rows read out one after another, a residual distortion and wrong depths all make a turn look like
 /// a translation in proportion to it, for edges and for corners alike. `error_per_rad`: its standard
 /// deviation, median depths per radian.
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad);
-/// Natural logarithm of the recent mean step over the usual one; negative for shorter steps. Steps up to
-/// `small_step` median depths do not count.
-double change_of_step(double recent, double usual, double median_depth,
+/// Natural logarithm of a step over the usual one; negative for shorter steps. Steps up to `small_step`
+/// median depths do not count.
+double change_of_step(double step, double usual, double median_depth,
                       double small_step = StepGateParams().small);
 /// Probability that a turn over ten frames, `turn_deg`, is wrong by a wrong focal length (3 degrees): a turn
 /// is the way of the image over the focal length. `focal_error`: true focal length over the camera's, less 1.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "consistency_tests.h"
 #include "edgevo/confidence/collect_evidence.h"
 #include "edgevo/core/doubtful_frame.h"
 
@@ -34,12 +35,6 @@ TrackingState state_of(PoseSupport support) {
   return support == PoseSupport::kGood ? TrackingState::kTracking : TrackingState::kDegraded;
 }
 
-// Number of poorly observed directions; an unknown standard deviation is not a small one.
-int weak_directions(const FrameEvidence& evidence, const StatusParams& params) {
-  return int(std::count_if(evidence.pose_sigmas.begin(), evidence.pose_sigmas.end(),
-                           [&](double sigma) { return !(sigma <= params.weak_sigma); }));
-}
-
 // Support of a pose in excess of what a wrong one has by chance, to select among poses. A wrong pose that
 // keeps more points in view has more inliers than the right one, but not a larger share of them. Negative
 // below the limit of LOST.
@@ -55,8 +50,6 @@ void StatusParams::visit(ParamVisitor& v) {
   v.number(kBasic, "lost_share", lost_share, 0, 1,
            "share of the weighted points below which a frame is LOST");
   v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
-  v.number(kAdvanced, "weak_sigma", weak_sigma, 1e-5, 1,
-           "a direction with a larger standard deviation (share of depth, rad) is weak");
   v.integer(kExperimental, "min_edges", min_edges, 0, 100000,
             "an image with fewer edge pixels shows nothing to follow: a bootstrap alone needs 80 corners");
   v.integer(
@@ -83,9 +76,6 @@ PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) 
 
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params) {
   const PoseSupport support = classify(evidence, params);
-  const int weak = weak_directions(evidence, params);
-  if (support == PoseSupport::kGood && weak > 0)
-    return {TrackingState::kDegraded, {{ReasonKind::kWeakDirections, double(weak)}}};
   return {state_of(support), reasons_of(support, evidence, params)};
 }
 
@@ -95,7 +85,7 @@ FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams 
 }
 
 FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust) {
-  const bool is_sure = !(trust.p_right < kDoubtfulBelow) && !trust.is_step_outlier;
+  const bool is_sure = !(trust.p_right < kDoubtfulBelow);
   if (by_image.state == TrackingState::kLost || is_sure) return by_image;
   return {TrackingState::kDegraded, joined(by_image.reasons, trust.reasons)};
 }
@@ -103,11 +93,6 @@ FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& tru
 FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason) {
   if (!reason || by_image.state == TrackingState::kLost) return by_image;
   return {TrackingState::kLost, {*reason}};
-}
-
-FrameStatus status_after_step(const FrameStatus& status, double times, const StepGateParams& gate) {
-  if (!(times > gate.times) || status.state != TrackingState::kTracking) return status;
-  return {TrackingState::kDegraded, {{ReasonKind::kStep, times}}};
 }
 
 FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image) {
@@ -127,12 +112,7 @@ void assign_skipped(TrackingState state, std::string note, FrameRecord* record) 
   record->reasons = {{ReasonKind::kSkipped}};
 }
 
-double covariance_factor(double p_right) {
-  constexpr double kMax = 100;  // ten times the standard deviation
-  if (!(p_right < kDoubtfulBelow)) return 1;
-  const double ratio = kDoubtfulBelow / std::max(p_right, 1e-3);
-  return std::min(ratio * ratio, kMax);
-}
+double covariance_factor(double p_right) { return 1 / std::max(p_right, kMostCertain); }
 
 StatusParams with_counts(StatusParams params, const std::function<int(int)>& count) {
   for (int* least : {&params.min_visible, &params.min_known_points, &params.min_edges})

@@ -14,12 +14,6 @@ namespace {
 
 static_assert(trust_table::kDoubtfulBelow == kDoubtfulBelow, "copy it to core/doubtful_frame.h");
 
-// A step over the usual one, or over what is a small one for a camera that has stood still.
-double times_likely(double step, double usual, double median_depth, double small_step) {
-  const double small = std::isfinite(median_depth) ? small_step * median_depth : 0.0;
-  return step / std::max(usual, small);
-}
-
 // Decimal logarithm of a standard deviation of the pose; an unknown one is not a small one.
 double decades_of(double pose_sigma) { return std::isfinite(pose_sigma) ? std::log10(pose_sigma) : 0.0; }
 
@@ -83,6 +77,12 @@ double p_right(const Inconsistencies& doubts, double p_wrong_otherwise) {
   return (1 - p_wrong_otherwise) / (1 + std::exp(log_odds_of_wrong(doubts)));
 }
 
+// A long step counts at once, steps that differ from what is usual as long as the motion.
+double MotionConfidence::unusual_steps(double change) {
+  squared_changes_.add(change * change);
+  return std::max(std::sqrt(squared_changes_.mean()), change);
+}
+
 double MotionConfidence::carried_unit_sigma() {
   unit_variances_.add(std::exchange(new_variance_, 0));
   return std::sqrt(unit_variances_.mean() * double(unit_variances_.size()));
@@ -101,10 +101,10 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   const double length = motion.length / e.median_depth,
                change = e.stands
                             ? 0.0
-                            : change_of_step(motion.recent, motion.usual, e.median_depth, params_.step.small);
+                            : change_of_step(motion.step, motion.usual, e.median_depth, params_.step.small);
   set(ConsistencyTest::kCorners, evidence_of_corners(e.corners.value_or(CornerEvidence()), length));
   set(ConsistencyTest::kTurn, evidence_of_turn(motion.turn_rad, length, params_.turn_error));
-  set(ConsistencyTest::kStep, std::abs(change));
+  set(ConsistencyTest::kStep, unusual_steps(change));
   set(ConsistencyTest::kResidual, std::log(residuals_.mean()));
   set(ConsistencyTest::kInformation, decades_.mean());
   if (const double moved = evidence_of_map(e.moved_by_map, length); std::isfinite(moved)) moved_.add(moved);
@@ -117,15 +117,6 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   trust.p_right = edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) *
                                                         (1 - trust.p_wrong_unit) * (1 - trust.p_wrong_zoom));
   if (trust.p_right < kDoubtfulBelow) trust.reasons = {reason_for_doubt(trust, frame)};
-  // No camera makes such a step, whatever else is as usual.
-  if (const double times = times_likely(motion.step, motion.usual, e.median_depth, params_.step.small);
-      times > params_.step.times) {
-    trust.p_right = 0;
-    trust.reasons = {{ReasonKind::kStep, times}};
-  }
-  const double times_usual = std::fmax(motion.step / motion.usual_before, frame.times_usual_live);
-  trust.is_step_outlier = times_usual > params_.step.times;
-  if (trust.is_step_outlier && trust.reasons.empty()) trust.reasons = {{ReasonKind::kStep, times_usual}};
   return trust;
 }
 

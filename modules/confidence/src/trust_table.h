@@ -17,17 +17,17 @@ struct Term {
   double weight, usual;
 };
 constexpr std::array<Term, kConsistencyTests> kTerms{{
-    {ConsistencyTest::kCorners, "corners", "log odds", 0.2614, -4.1545},
-    {ConsistencyTest::kTurn, "turn", "log odds", 0.4847, -6.5110},
-    {ConsistencyTest::kStep, "step", "log ratio", 1.5550, 0.1498},
-    {ConsistencyTest::kResidual, "residual", "log of pixels", 1.3930, -0.3390},
-    {ConsistencyTest::kInformation, "information", "decades", 4.1716, -3.1669},
-    {ConsistencyTest::kMap, "map", "log of tolerances", 0.9167, -2.2610},
+    {ConsistencyTest::kCorners, "corners", "log odds", 0.3411, -2.9564},
+    {ConsistencyTest::kTurn, "turn", "log odds", 0.7586, -4.4406},
+    {ConsistencyTest::kStep, "step", "log ratio", 2.0367, 0.2274},
+    {ConsistencyTest::kResidual, "residual", "log of pixels", 1.1939, -0.3385},
+    {ConsistencyTest::kInformation, "information", "decades", 3.9285, -3.1668},
+    {ConsistencyTest::kMap, "map", "log of tolerances", 0.8664, -2.8839},
 }};
 /// Log odds of a wrong motion where all is as usual.
-constexpr double kBias = -6.4400;
+constexpr double kBias = -6.8130;
 
 /// Value of p_right below which a frame is doubtful.
-constexpr double kDoubtfulBelow = 0.7076;
+constexpr double kDoubtfulBelow = 0.7149;
 
 }  // namespace edgevo::trust_table

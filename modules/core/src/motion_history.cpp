@@ -33,14 +33,12 @@ void MotionHistory::add_measured(const SE3& T_cur_last, int frames, bool held) {
 }
 
 void MotionHistory::add_in_map(const SE3& T_map_cam, bool stands) {
-  constexpr size_t kPoses = size_t(kMotionTolerance.frames) + 1, kRecentSteps = 5;
+  constexpr size_t kPoses = size_t(kMotionTolerance.frames) + 1;
   newest_ = {};
   if (!poses_.empty())
     newest_.step = (T_map_cam.translation() - poses_.back().T_map_cam.translation()).norm();
-  newest_.usual_before = in_map_.quantile(0.5);
   if (!stands) in_map_.add(newest_.step);
   newest_.usual = in_map_.median();
-  newest_.recent = in_map_.mean(kRecentSteps);
   poses_.push_back({T_map_cam, T_cam_path_});
   if (poses_.size() > kPoses) poses_.pop_front();
   const Placed &from = poses_.front(), &to = poses_.back();
@@ -49,14 +47,6 @@ void MotionHistory::add_in_map(const SE3& T_map_cam, bool stands) {
   newest_.turn_rad = from.T_map_cam.rotation().angularDistance(to.T_map_cam.rotation());
   newest_.length = in_map.translation().norm();
   newest_.moved_by_map = (in_map.translation() - measured.translation()).norm();
-}
-
-void MotionHistory::report(const FrameRecord& frame) {
-  constexpr size_t kKept = 2000;  // frames: those of a long bootstrap, and the 1000 before them
-  Reported& reported = reported_[frame.index];
-  reported = {std::nullopt, frame.evidence.stands};
-  if (frame.T_world_cam_live) reported.position = frame.T_world_cam_live->translation();
-  if (reported_.size() > kKept) reported_.erase(reported_.begin());
 }
 
 void MotionHistory::begin_map() {
@@ -78,26 +68,6 @@ double MotionHistory::largest_step(double times, double small_step, double media
 Eigen::Vector3d MotionHistory::typical_step() const {
   const double usual = measured_.median();
   return std::isfinite(usual) ? Eigen::Vector3d(usual * direction_) : Eigen::Vector3d::Zero();
-}
-
-double MotionHistory::reported_ratio(int frame_index, const SE3& T_world_cam) const {
-  constexpr size_t kMin = 10, kMaxFrames = 1000;
-  std::vector<double> steps;  // newest first; the first one leads to the frame
-  int index = frame_index;
-  Eigen::Vector3d position = T_world_cam.translation();
-  bool stands = false;  // in the frame that the next step leads to
-  size_t seen = 0;
-  for (auto next = reported_.lower_bound(frame_index);
-       next != reported_.begin() && steps.size() <= kUsualSteps && ++seen <= kMaxFrames;) {
-    const auto& [before, reported] = *--next;
-    if (!reported.position) continue;
-    if (!stands) steps.push_back((position - *reported.position).norm() / (index - before));
-    index = before, position = *reported.position, stands = reported.stands;
-  }
-  if (steps.size() <= kMin) return std::numeric_limits<double>::quiet_NaN();
-  const double step = steps.front();
-  steps.erase(steps.begin());
-  return step / quantile(std::move(steps), 0.5);
 }
 
 }  // namespace edgevo

@@ -9,10 +9,8 @@
 
 namespace edgevo {
 
-FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history,
-                   bool own_thread)
+FrameLog::FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, bool own_thread)
     : log_(std::move(log)),
-      history_(history),
       cursor_(log_),
       run_(rectification),
       placer_(std::make_unique<Worker>(WorkerOptions{"map graph", 1, own_thread, true, true})) {
@@ -45,8 +43,6 @@ void FrameLog::publish() { append(newest_); }
 void FrameLog::append(FrameAnchored frame) {
   const auto& unit = frame.frame.evidence.unit;
   if (unit && (!unit->is_linked() || unit->by_ground)) unlinked_[frame.frame.index] = frame;
-  // Of a repeated image it would be a camera that stands.
-  if (frame.frame.evidence.fault != ImageFault::kRepeated) history_->report(frame.frame);
   log_->append(std::move(frame));
 }
 
@@ -129,10 +125,6 @@ std::optional<FrameRecord> FrameLog::find(int frame_index) {
   if (frame_index == newest_.frame.index) return newest_.frame;
   const FrameRecord* record = run().find(frame_index);
   return record ? std::make_optional(*record) : std::nullopt;
-}
-
-double FrameLog::reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const {
-  return history_->reported_ratio(frame_index, run_.T_odom_map(segment).apply(T_cam_map.inverse()));
 }
 
 void FrameLog::begin_segment(const SegmentPlaced& placed) {

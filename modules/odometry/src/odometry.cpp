@@ -55,7 +55,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       working(rectification.target()),
       state(p.recovery.max_frames, p.status),
       log(o.map_log ? o.map_log : std::make_shared<MapLog>()),
-      frames(rectification, log, &history, o.realtime),
+      frames(rectification, log, o.realtime),
       adjustments(log),
       confidence(p.health.confidence),
       scales(working, o.realtime),
@@ -185,8 +185,7 @@ void Odometry::Impl::follow_map(ArrivedFrame now, bool is_replayed) {
   watch_integrity(now, &tracked);
   // Whoever follows the events knows a frame before the keyframe that mapping makes of it.
   if (is_replayed) {
-    place_replayed(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref,
-                   front_end.params().step, &frames);
+    frames.place(*now.record, state.segment(), *front_end.reference(), tracked.T_cam_ref);
   } else {
     frames.publish();
     frame_published = true;
@@ -230,9 +229,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, const ImageZ
     if (const auto* mapped = std::get_if<FrameMapped>(event.get()); mapped && mapped->adjustment)
       confidence.add_adjustment(*mapped->adjustment);
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
-  const FrameConfidence found = confidence.add(
-      {record->evidence, history.newest(),
-       frames.reported_ratio(record->index, state.segment(), *newest_pose.T_cam_map), zoom_change.add(zoom)});
+  const FrameConfidence found = confidence.add({record->evidence, history.newest(), zoom_change.add(zoom)});
   record->p_right = found.p_right;
   unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);

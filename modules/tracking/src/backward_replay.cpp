@@ -55,7 +55,7 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
       if (state == TrackingState::kLost) return;
       assign_status({state, {}}, &*record);
       record->covariance = reported_covariance(found, reference);
-      place_replayed(std::move(*record), segment, reference, found.T_cur_ref, params.step, frames);
+      frames->place(std::move(*record), segment, reference, found.T_cur_ref);
     }
     later = std::exchange(last, found.T_cur_ref);
   }

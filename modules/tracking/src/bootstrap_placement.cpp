@@ -16,13 +16,6 @@ bool is_keyframe(const BootstrapView& view, const BootstrapResult& bootstrap) {
 
 }  // namespace
 
-void place_replayed(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
-                    const StepGateParams& gate, FrameLog* frames) {
-  const double times = frames->reported_ratio(record.index, segment, T_cam_ref * reference.T_ref_world);
-  assign_status(status_after_step({record.state, record.reasons}, times, gate), &record);
-  frames->place(std::move(record), segment, reference, T_cam_ref);
-}
-
 SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference) {
   if (view.frame_index == bootstrap.views.back().frame_index) return SE3();
   const bool is_first = view.frame_index == bootstrap.views.front().frame_index;
@@ -61,7 +54,7 @@ void place_bootstrap_frames(const BootstrapResult& bootstrap, const BootstrapTra
         T_cam_ref = r.T_cur_ref, record->covariance = reported_covariance(r, reference);
     }
     assign_status(status_of_bootstrap_frame(status), &*record);
-    place_replayed(std::move(*record), segment, reference, T_cam_ref, params.step, frames);
+    frames->place(std::move(*record), segment, reference, T_cam_ref);
   }
 }
 

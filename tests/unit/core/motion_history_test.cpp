@@ -70,9 +70,7 @@ TEST(MotionHistory, TheNewestStepIsComparedWithThoseBeforeIt) {
   path.go(0.9);
   const MotionHistory::Newest& newest = path.history.newest();
   EXPECT_NEAR(newest.step, 0.9, 1e-9);
-  EXPECT_NEAR(newest.usual_before, 0.3, 1e-9);
   EXPECT_NEAR(newest.usual, 0.3, 1e-9);
-  EXPECT_NEAR(newest.recent, (4 * 0.3 + 0.9) / 5, 1e-9);
   EXPECT_NEAR(newest.length, 9 * 0.3 + 0.9, 1e-9) << "of ten frames";
   EXPECT_NEAR(newest.turn_rad, 0, 1e-9);
 }
@@ -119,50 +117,6 @@ TEST(MotionHistory, ANewMapHasAnotherUnit) {
   path.history.begin_map();
   EXPECT_EQ(path.history.largest_step(10, 0.002, 1), kInfinity);
   EXPECT_TRUE(path.history.typical_step().isZero());
-}
-
-// ---- steps as reported ----
-
-FrameRecord reported(int index, std::optional<double> z, bool stands = false) {
-  FrameRecord frame;
-  frame.index = index;
-  if (z) frame.T_world_cam_live = at_z(*z);
-  frame.evidence.stands = stands;
-  return frame;
-}
-
-TEST(MotionHistory, ComparesAStepWithThoseReportedBefore) {
-  MotionHistory history;
-  for (int i = 0; i < 10; ++i) history.report(reported(i, i));
-  EXPECT_TRUE(std::isnan(history.reported_ratio(10, at_z(12))));
-  history.begin_map();
-  history.report(reported(12, 15));
-  history.report(reported(13, std::nullopt));
-  EXPECT_DOUBLE_EQ(history.reported_ratio(13, at_z(35)), 20);
-  EXPECT_DOUBLE_EQ(history.reported_ratio(14, at_z(35)), 10);     // over a gap
-  EXPECT_TRUE(std::isnan(history.reported_ratio(12, at_z(12))));  // placed again: it is not before itself
-}
-
-TEST(MotionHistory, AFrameThatIsReportedAgainIsWhereItIsThen) {
-  MotionHistory history;
-  for (int i = 0; i < 20; ++i) history.report(reported(i, std::nullopt));
-  for (int i = 19; i >= 0; --i) history.report(reported(i, i));
-  EXPECT_DOUBLE_EQ(history.reported_ratio(20, at_z(22)), 3);
-}
-
-TEST(MotionHistory, ComparesAStepWithThoseBeforeAStandstill) {
-  MotionHistory history;
-  for (int i = 0; i < 100; ++i) history.report(reported(i, std::min(i, 20) + 1e-6 * i, i > 20));
-  EXPECT_NEAR(history.reported_ratio(100, at_z(23)), 3, 1e-3);
-}
-
-TEST(MotionHistory, ForgetsWhatWasReportedLongAgo) {
-  MotionHistory history;
-  for (int i = 0; i < 3000; ++i)
-    history.report(reported(i, i < 1990 ? std::optional<double>(i) : std::nullopt));
-  EXPECT_TRUE(std::isnan(history.reported_ratio(3000, at_z(3000)))) << "a thousand frames without a pose";
-  EXPECT_DOUBLE_EQ(history.reported_ratio(1990, at_z(1990)), 1);
-  EXPECT_TRUE(std::isnan(history.reported_ratio(1005, at_z(1005))));
 }
 
 }  // namespace

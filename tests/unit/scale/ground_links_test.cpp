@@ -143,8 +143,7 @@ class FollowedDrive {
   test::MadeRun made_;
   const std::shared_ptr<MapLog> log_ = std::make_shared<MapLog>();
   MapCursor cursor_{log_};
-  MotionHistory history_;
-  FrameLog frames_{made_.run.pinhole, log_, &history_};
+  FrameLog frames_{made_.run.pinhole, log_};
   GroundLinks links_{made_.run.pinhole, std::nullopt, ScaleParams(), log_};
   bool in_segments_ = false;
   int next_ = 0, oldest_ = 0;

@@ -42,21 +42,17 @@ struct FrameStatus {
   /// Why the frame is degraded or lost; empty for kTracking.
   Reasons reasons;
 };
-/// Status of a frame that was tracked: the support of its pose, or, where that is good, DEGRADED if a
-/// direction has a standard deviation above `weak_sigma`.
+/// Status of a frame that was tracked, by the support of its pose.
 FrameStatus frame_status(const FrameEvidence& evidence, const StatusParams& params);
 /// The same for a pose that is held while the camera stands: known from before, it needs no points in view.
 FrameStatus status_at_zero_velocity(const FrameEvidence& evidence, StatusParams params);
 /// Status of a frame that has a pose, in view of the confidence in its motion: DEGRADED below kDoubtfulBelow
-/// (core/doubtful_frame.h), or after a step outlier, with the reason for the doubt after that of the image.
-/// A label only: tracking and mapping go by the image.
+/// (core/doubtful_frame.h), with the reason for the doubt after that of the image. A label only: tracking and
+/// mapping go by the image.
 FrameStatus frame_status(const FrameStatus& by_image, const FrameConfidence& trust);
 /// Status of a frame whose pose is refused, as after a step beyond MotionHistory::largest_step(): LOST for
 /// that reason, if there is one, unless the image has refused it already.
 FrameStatus status_with_refusal(const FrameStatus& by_image, const std::optional<Reason>& reason);
-/// Status of a frame that is placed after its time, and not doubted then: not TRACKING after a step outlier,
-/// `times` the usual one (NaN: not known).
-FrameStatus status_after_step(const FrameStatus& status, double times, const StepGateParams& gate);
 /// Status of a frame whose pose the two-view reconstruction has given: TRACKING, or DEGRADED if the map
 /// explains its image too little. `by_image`: nothing if the image is gone.
 FrameStatus status_of_bootstrap_frame(const std::optional<FrameStatus>& by_image);
@@ -65,8 +61,8 @@ void assign_status(FrameStatus status, FrameRecord* record);
 /// The same for a frame that is skipped, with `note`.
 void assign_skipped(TrackingState state, std::string note, FrameRecord* record);
 
-/// Factor on the covariance of a pose with this p_right: 1 from kDoubtfulBelow on, (kDoubtfulBelow / p)^2
-/// below, at most 100.
+/// Factor on the covariance of a pose with this p_right, 1 to 100: its inverse. Of a motion that is wrong
+/// with the probability 1 - p the covariance says nothing.
 double covariance_factor(double p_right);
 
 /// The same thresholds with all least counts as `count` has them, e.g. for images of another size.

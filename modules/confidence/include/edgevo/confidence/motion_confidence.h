@@ -29,7 +29,9 @@ enum class ConsistencyTest {
   kCorners,
   /// The camera turns, and hardly moves: an error in proportion to the turn hides the translation. Log odds.
   kTurn,
-  /// Steps longer or shorter than usual, in the unit of the map: log ratio.
+  /// Steps longer or shorter than usual, in the unit of the map: log ratio, the root mean square of ten
+  /// frames, or
+  /// that of the newest one if it is longer by more.
   kStep,
   /// Edges lie far from where map and pose put them: log of pixels. What fits neither is rejected, what fits
   /// badly stays.
@@ -54,9 +56,6 @@ struct ConfidenceInput {
   const FrameEvidence& evidence;
   /// Its motion, in the unit of FrameEvidence::median_depth.
   MotionHistory::Newest motion;
-  /// The step over the usual one as the run reports it (MotionHistory::reported_ratio): a unit that is set
-  /// back, or that of a new segment, changes it. NaN: not known.
-  double times_usual_live = std::numeric_limits<double>::quiet_NaN();
   /// The motion over ten frames that a lens that zooms has feigned.
   FeignedMotion by_zoom = {};
 };
@@ -76,10 +75,6 @@ struct FrameConfidence {
   double unit_sigma = 0, p_wrong_unit = 0;
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
-  /// Whether the step is longer than StepGateParams::times the median of the 50 before, in the unit of the
-  /// map or as the run reports it: the frame is not TRACKING, even if it starts from a standstill, which does
-  /// not make it unlikely.
-  bool is_step_outlier = false;
 };
 
 /// Builds the trust in each frame from its evidence and from what is usual in the run so far. For the
@@ -101,12 +96,11 @@ class MotionConfidence {
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
   static constexpr size_t kFrames = size_t(kMotionTolerance.frames);
-  /// What the map is to blame for stays longer.
-  static constexpr size_t kMapFrames = 20;
+  double unusual_steps(double change);
   double carried_unit_sigma();
 
   ConfidenceParams params_;
-  RecentValues decades_{kFrames}, moved_{kFrames}, residuals_{kMapFrames};
+  RecentValues decades_{kFrames}, moved_{kFrames}, residuals_{kFrames}, squared_changes_{kFrames};
   // By how much the unit has grown less certain, by frame: variances of its logarithm.
   RecentValues unit_variances_{MotionHistory::kUsualSteps};
   double new_variance_ = 0;  // since the newest frame

@@ -15,8 +15,6 @@ struct StatusParams {
   double lost_share = 0.15;
   /// Points.
   int min_visible = 60;
-  /// Share of the median depth; radians.
-  double weak_sigma = 0.01;
   /// Edge pixels.
   int min_edges = 200;
   /// Points of known depth in the reference.
@@ -32,7 +30,7 @@ struct StatusParams {
   void visit(ParamVisitor& v);
 };
 
-/// Step gate: when a step is an outlier, none that a camera makes.
+/// Step gate: when a tracked step is an outlier, none that a camera makes; its pose is refused.
 struct StepGateParams {
   /// Length over the usual one (core/motion_history.h).
   double times = 10;

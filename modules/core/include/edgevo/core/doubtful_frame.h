@@ -8,7 +8,7 @@ namespace edgevo {
 /// Value of FrameRecord::p_right below which a frame is doubtful. At most 2 % of the frames whose motion is
 /// right have a lower one, on cameras that the fit had not seen (split conformal;
 /// share/training/fit_trust.cpp).
-inline constexpr double kDoubtfulBelow = 0.7076;
+inline constexpr double kDoubtfulBelow = 0.7149;
 
 /// Whether the frame throws doubt on the map: p_right is known and below kDoubtfulBelow, or it is LOST.
 inline bool is_map_in_doubt(const FrameRecord& frame) {
@@ -16,7 +16,7 @@ inline bool is_map_in_doubt(const FrameRecord& frame) {
 }
 
 /// Whether the pose of the frame or the motion around it is not to be trusted: as is_map_in_doubt(), or it is
-/// DEGRADED for anything else (few edges that agree, a weak direction, a step).
+/// DEGRADED for anything else (few edges that agree).
 inline bool is_doubtful(const FrameRecord& frame) {
   return frame.state == TrackingState::kDegraded || is_map_in_doubt(frame);
 }

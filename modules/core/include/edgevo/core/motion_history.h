@@ -2,8 +2,8 @@
 #pragma once
 // The motion of the last frames: how long a step usually is, and the motion over ten frames.
 //
-// A step is the translation from one frame to the next. It has three lengths, since no two of them are the
-// same number, and each question needs its own:
+// A step is the translation from one frame to the next. It has two lengths, since they are not the same
+// number, and each question needs its own:
 //
 //   measured   by the alignment, against one reference. An adjustment of keyframes is no motion. Over a gap
 //              the mean of its frames by the clock; a step of less than a tenth of the usual one is that of
@@ -11,8 +11,6 @@
 //   in map     between two poses as they were stored, so that an adjustment between them is part of it. None
 //              over a gap; a frame that is known to stand (FrameEvidence::stands) does not count. Unit of
 //              the map.
-//   reported   between live poses in the world, also those that frames get after their time, of whatever
-//              segment and unit. Over a gap the mean of its frames by their numbers; standing as above.
 #include <deque>
 #include <limits>
 #include <map>
@@ -46,13 +44,8 @@ class MotionHistory {
   struct Newest {
     /// Since the frame before.
     double step = std::numeric_limits<double>::quiet_NaN();
-    /// The smaller of the middle two of the 50 before it. Of a camera that stands and moves by turns there
-    /// are two groups of steps, and the larger ones are not usual as long as half of all are small.
-    double usual_before = std::numeric_limits<double>::quiet_NaN();
     /// Median of the last 50, its own among them.
     double usual = std::numeric_limits<double>::quiet_NaN();
-    /// Mean of the last five.
-    double recent = std::numeric_limits<double>::quiet_NaN();
     /// Rotation over the last ten frames, as far as they are known; radians.
     double turn_rad = 0;
     /// Translation over the same frames.
@@ -64,11 +57,9 @@ class MotionHistory {
 
   /// Adds a frame that has been tracked, in time order.
   void add(const Tracked& frame);
-  /// Adds or replaces a frame as it is reported, with or without a pose; the last 2000 are kept.
-  void report(const FrameRecord& frame);
   /// A frame has no pose: the next step in the map has no length.
   void interrupt() { poses_.clear(), T_cam_path_ = {}; }
-  /// A new map, in another unit. What was reported stays.
+  /// A new map, in another unit.
   void begin_map();
 
   /// Largest measured step that is believed: `times` the usual one (the median of the last 50), the one
@@ -81,10 +72,6 @@ class MotionHistory {
   std::optional<MedianMotion::Step> median_step() const { return median_motion_.median_step(); }
   /// The newest tracked frame.
   const Newest& newest() const { return newest_; }
-  /// Step to the live pose `T_world_cam` of a frame over the usual one as reported: the smaller of the middle
-  /// two of the 50 before. NaN unless ten are known of the last 1000 frames; infinite or NaN after steps of
-  /// 0. Cost: a look-up for each frame back to the fiftieth.
-  double reported_ratio(int frame_index, const SE3& T_world_cam) const;
   /// Steps of which the median is usual.
   static constexpr size_t kUsualSteps = 50;
 
@@ -101,11 +88,6 @@ class MotionHistory {
   std::deque<Placed> poses_;  // of the last ten frames in a row, and the one before them
   SE3 T_cam_path_;            // the measured motions of these frames, one after the other
   Newest newest_;
-  struct Reported {
-    std::optional<Eigen::Vector3d> position;
-    bool stands;
-  };
-  std::map<int, Reported> reported_;  // by frame
 };
 
 }  // namespace edgevo

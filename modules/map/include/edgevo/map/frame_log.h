@@ -10,7 +10,6 @@
 
 #include "edgevo/alignment/reference.h"
 #include "edgevo/core/image.h"
-#include "edgevo/core/motion_history.h"
 #include "edgevo/core/records.h"
 #include "edgevo/core/worker.h"
 #include "edgevo/map/located_pose.h"
@@ -33,11 +32,10 @@ struct WorldOfOdometry {
 /// Frames and segments of a run; for the tracking thread.
 class FrameLog {
  public:
-  /// `log`, not null, receives the events, and `history`, which must outlive this object, the frames.
+  /// `log`, not null, receives the events.
   /// `own_thread`: places that are seen again are solved for in a thread of its own; what they move, moves
   /// when that is done.
-  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, MotionHistory* history,
-           bool own_thread = false);
+  FrameLog(const Rectification& rectification, std::shared_ptr<MapLog> log, bool own_thread = false);
 
   /// Keeps the newest frames only: those of a long bootstrap, and of the poses before a loss.
   void forget() {
@@ -62,8 +60,6 @@ class FrameLog {
   void place(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref);
   /// The record of a frame; nothing if there is none.
   std::optional<FrameRecord> find(int frame_index);
-  /// MotionHistory::reported_ratio() of a frame with the pose `T_cam_map` in a segment's map.
-  double reported_ratio(int frame_index, int segment, const SE3& T_cam_map) const;
   /// Announces the frames of a segment again at which nothing linked the unit of length to that before, or
   /// only the ground: now it is.
   void constrain_scale(int segment, const RelativeScale& unit);
@@ -103,7 +99,6 @@ class FrameLog {
   void constrain_scale(const std::function<bool(const FrameRecord&)>& concerns, const RelativeScale& unit);
 
   std::shared_ptr<MapLog> log_;
-  MotionHistory* history_;
   MapCursor cursor_;
   RunBuilder run_;
   FrameAnchored newest_;

@@ -12,11 +12,6 @@
 
 namespace edgevo {
 
-/// Gives a frame its pose after its time (FrameLog::place()), with the status of its record, or DEGRADED
-/// after a step outlier.
-void place_replayed(FrameRecord record, int segment, const Reference& reference, const SE3& T_cam_ref,
-                    const StepGateParams& gate, FrameLog* frames);
-
 /// Pose of a view against the reference of the finished map. The two views that made it are keyframes: the
 /// first and the newest.
 SE3 pose_in_map(const BootstrapView& view, const BootstrapResult& bootstrap, const Reference& reference);
