@@ -107,8 +107,7 @@ void add_run_command(CLI::App& app, Action* action, std::vector<std::string> com
   command
       ->add_option("--mask", args->mask,
                    "PNG of the shape of the images: what is black or transparent there, such as a part of "
-                   "the vehicle, is "
-                   "left out")
+                   "the vehicle, is left out")
       ->check(path_given());
   command
       ->add_option("--edge-folder", args->edge_folder,

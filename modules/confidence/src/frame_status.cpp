@@ -2,6 +2,7 @@
 #include "edgevo/confidence/frame_status.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -112,7 +113,9 @@ void assign_skipped(TrackingState state, std::string note, FrameRecord* record) 
   record->reasons = {{ReasonKind::kSkipped}};
 }
 
-double covariance_factor(double p_right) { return 1 / std::max(p_right, kMostCertain); }
+double covariance_factor(double p_right) {
+  return std::isnan(p_right) ? 1 : 1 / std::max(p_right, kMostCertain);
+}
 
 StatusParams with_counts(StatusParams params, const std::function<int(int)>& count) {
   for (int* least : {&params.min_visible, &params.min_known_points, &params.min_edges})

@@ -4,9 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <vector>
-
-#include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 

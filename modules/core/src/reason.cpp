@@ -69,8 +69,6 @@ const char* pattern_of(ReasonKind kind) {
       return "only %.0f map points in view, %.0f are needed";
     case ReasonKind::kInlierShare:
       return "inlier share %.2f is below %.2f";
-    case ReasonKind::kWeakDirections:
-      return "%.0f poorly observed direction(s)";
     case ReasonKind::kStep:
       return "a step of %.0f times the usual one";
     case ReasonKind::kRotationByCorners:

@@ -252,7 +252,8 @@ std::string GyroAid::statement() const {
   if (!has_samples()) return {};
   if (!stuck_.empty()) return stuck_;
   if (!fault_.empty()) return fault_;
-  const std::string changed = changed_.empty() ? "" : "; " + changed_;
+  const std::string changed =
+      (changed_.empty() ? "" : "; " + changed_) + (checks_change_ ? "; not used: checked after that" : "");
   if (!filter_) return "not observed: the camera has not turned enough" + changed;
   if (!is_observed())
     return "not observed: the camera has turned about one axis only; " + describe(filter_->model()) + changed;

@@ -211,6 +211,7 @@ PyRun PyOdometry::finish() {
     contents->camera = camera_, contents->info = info_, contents->map = params_.map;
   }
   events_.reset(), recorder_.reset(), past_.reset(), placements_.reset(), kept_.reset();
+  options_.locate = {};  // it holds the map
   on_event_ = py::object();
   lines_.pass_to(std::exchange(log_, py::object()));
   return PyRun{std::move(contents)};

@@ -128,10 +128,10 @@ void begin_with_camera(FirstFrames* first, const OdometryParams& params, const S
                            1e3 * options->camera->correction.readout_s));
 }
 
-// Frames on a schedule do not wait for a first look.
-void say_found_shutter(const RunLoop& loop) {
+// Where there was no first look, and nobody said it: on a schedule, or without a gyro.
+void say_found_shutter(const RunLoop& loop, double given_readout_s) {
   const CameraRefinement& camera = loop.result->run.camera;
-  if (!loop.options.on_schedule || !loop.options.log) return;
+  if (given_readout_s != 0 || loop.options.camera || !loop.options.log) return;
   if (camera.shutter.state == CameraRefinement::State::kApplied)
     loop.options.log(
         formatted("a rolling shutter of %.1f ms was found on the way: camera.readout_s=%.4f makes it "
@@ -191,7 +191,7 @@ RunResult run_odometry(ImageSource& source, const OdometryParams& params, const 
       result.places = past.finish();
       result.run = odometry.finish();
     });
-    say_found_shutter(loop);
+    say_found_shutter(loop, params.camera.readout_s);
   };
   if (options.realtime) {
     LiveFeed live_feed(frames, requested.pace);

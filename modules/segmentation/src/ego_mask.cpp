@@ -24,21 +24,15 @@ bool is_same_shape(const cv::Size& a, const cv::Size& b) {
   return std::abs(across - down) <= 1.0 / large.width + 1.0 / large.height;
 }
 
-// What a mask was drawn with: its transparency, if it has parts of both kinds; else gray levels. Throws
-// InputError if it is painted in black, too.
+// What a mask was drawn with, 0 where it is to give no edges: black, and where it has parts of both kinds,
+// its transparency, too.
 cv::Mat read_drawing(const std::string& path) {
   const cv::Mat image = cv::imread(path, cv::IMREAD_UNCHANGED), gray = cv::imread(path, cv::IMREAD_GRAYSCALE);
   if (image.channels() != 4) return gray;
   cv::Mat alpha;
   cv::extractChannel(image, alpha, 3);
-  const cv::Mat opaque = alpha > 0;
-  const int drawn = cv::countNonZero(opaque), black = cv::countNonZero(opaque & (gray == 0));
-  if (drawn == 0 || drawn == int(alpha.total())) return gray;
-  // A photograph has other gray levels, too.
-  if (black > 0 && black + cv::countNonZero(opaque & (gray == 255)) == drawn)
-    throw InputError(path, "has transparent parts and black ones",
-                     "fill what is transparent: with white, or with black where there are to be no edges");
-  return alpha;
+  if (cv::countNonZero(alpha) == 0) return gray;
+  return cv::min(alpha, gray);
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
   while (!early.empty()) {
     const Early view = std::move(early.back());
     early.pop_back();
-    if (view.shown < view.frames.size()) return;  // it drove off unseen: no steps lead there
     if (view.frames.front() >= views.views.front().frame_index) continue;
+    if (view.shown < view.frames.size()) return;  // it drove off unseen: no steps lead there
     const TrackResult found =
         track(*view.pyramid, reference.cloud, motion_hypotheses(last, last * later.inverse()), scorer,
               params.alignment);

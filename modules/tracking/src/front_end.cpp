@@ -308,6 +308,7 @@ void FrontEnd::begin_map(std::shared_ptr<const Reference> reference, const std::
   motion_.restart(motion);
   pose_time_ = begun_;
   turned_.reset();
+  in_doubt_ = false;
   history_->begin_map();
   keyframes_.restart();
   coverage_.restart();

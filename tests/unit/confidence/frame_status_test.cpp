@@ -269,6 +269,7 @@ TEST(Status, IsDegradedInDoubtAndSaysWhy) {
 
 TEST(Covariance, GrowsWithDoubtSmoothlyToAHundredfoldAtMost) {
   EXPECT_EQ(covariance_factor(1), 1);
+  EXPECT_EQ(covariance_factor(std::nan("")), 1) << "unknown";
   EXPECT_NEAR(covariance_factor(0.5), 2, 1e-9);
   EXPECT_NEAR(covariance_factor(0), 100, 1e-9);
 }

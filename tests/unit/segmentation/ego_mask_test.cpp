@@ -61,8 +61,16 @@ TEST(ReadMask, TransparencyIsADrawing) {
     EXPECT_EQ(mask.at(5, 39), 255) << gray;
     EXPECT_EQ(mask.at(5, 40), 0) << gray;
   }
-  cv::Mat both(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(0, 0, 0, 255));
+  cv::Mat both(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(255, 255, 255, 255));
   both.rowRange(0, 40) = cv::Scalar(0, 0, 0, 0);
+  both.rowRange(60, 70) = cv::Scalar(0, 0, 0, 255);
+  both.rowRange(70, 71) = cv::Scalar(90, 90, 90, 255);
+  cv::imwrite(path, both);
+  const Plane<uint8_t> mask = read_mask(path, kMaskWidth, kMaskHeight);
+  EXPECT_EQ(mask.at(5, 39), 255) << "transparent";
+  EXPECT_EQ(mask.at(5, 65), 255) << "black";
+  EXPECT_EQ(mask.at(5, 50) + mask.at(5, 70), 0);
+  both.rowRange(40, kMaskHeight) = cv::Scalar(0, 0, 0, 255);
   cv::imwrite(path, both);
   EXPECT_THROW(read_mask(path, kMaskWidth, kMaskHeight), InputError) << "which of the two?";
   cv::imwrite(path, cv::Mat(kMaskHeight, kMaskWidth, CV_8UC4, cv::Scalar(255, 255, 255, 0)));

@@ -30,8 +30,7 @@ enum class ConsistencyTest {
   /// The camera turns, and hardly moves: an error in proportion to the turn hides the translation. Log odds.
   kTurn,
   /// Steps longer or shorter than usual, in the unit of the map: log ratio, the root mean square of ten
-  /// frames, or
-  /// that of the newest one if it is longer by more.
+  /// frames, or that of the newest one if it is longer by more.
   kStep,
   /// Edges lie far from where map and pose put them: log of pixels. What fits neither is rejected, what fits
   /// badly stays.

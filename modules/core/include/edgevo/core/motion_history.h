@@ -13,7 +13,6 @@
 //              the map.
 #include <deque>
 #include <limits>
-#include <map>
 #include <optional>
 
 #include "edgevo/core/median_motion.h"

@@ -61,8 +61,6 @@ enum class ReasonKind : uint8_t {
   kFewPointsInView,
   /// Inlier share; that below which it counts.
   kInlierShare,
-  /// Number of poorly observed directions.
-  kWeakDirections,
   /// Length of the step over the usual one.
   kStep,
 

@@ -55,7 +55,8 @@ struct FrameRecord {
   std::optional<SE3> T_world_cam_live;
   /// Covariance of xi in T_cam_ref <- exp(xi) T_cam_ref, tangent [v, w] in the camera's axes, lengths in the
   /// unit of the run; relative to the keyframe that the frame was tracked against
-  /// (alignment/pose_covariance.h, with the factor of confidence/tracking_check.h). Zero: unknown.
+  /// (alignment/pose_covariance.h, with the factor of confidence/tracking_check.h), over p_right. Zero:
+  /// unknown.
   Matrix6d covariance = Matrix6d::Zero();
   /// Why there is no map yet, tracking was lost, or the motion is doubted; else empty.
   Reasons reasons;

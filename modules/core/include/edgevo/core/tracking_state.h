@@ -11,7 +11,7 @@ enum class TrackingState {
   kBootstrapping,
   /// The pose and the map are good.
   kTracking,
-  /// The pose has few inliers or poorly observed directions: use it with its covariance.
+  /// The pose has few inliers, or its motion is in doubt: use it with its covariance.
   kDegraded,
   /// No pose; relocalisation in the old map is tried for some more frames while a bootstrap runs.
   kLost,
