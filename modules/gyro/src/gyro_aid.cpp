@@ -173,7 +173,7 @@ void GyroAid::follow(const SeenTurn& seen) {
     if (!sits_as_before) check_again();
   }
   if (filter_->is_broken() && !was_broken) {
-    note("not used for now: it does not turn as the images do", seen.begin);
+    note("set aside: it does not turn as the images do", seen.begin);
     check_again();
   }
   compare(seen, *shown, rotation_vector(seen.R * shown->R.conjugate()));

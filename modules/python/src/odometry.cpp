@@ -253,7 +253,7 @@ void add_odometry(py::module_& module) {
       "is_in_map", &PyOdometry::is_in_map,
       "Whether the newest pose is in the frame and unit of `map`, after the T of the newest event "
       "\"placed\";\n"
-      "after a loss not until the camera is found there again. From any thread, and in on_event.");
+      "after a loss or a doubt not until the camera is found there again. From any thread, and in on_event.");
   define(
       odometry, "Odometry.finish()", [](PyOdometry& o, const Arguments&) { return o.finish(); },
       "Ends the run and returns it.");

@@ -68,24 +68,28 @@ void KeptPlaces::follow(const std::vector<std::shared_ptr<const MapEvent>>& even
 }
 
 void KeptPlaces::follow(const MapEvent& event) {
-  if (std::holds_alternative<SegmentPlaced>(event)) is_placed_ = false;
-  if (const auto* keyframe = std::get_if<KeyframeAdded>(&event))
-    first_.emplace(keyframe->segment, keyframe->id);
+  if (const auto* keyframe = std::get_if<KeyframeAdded>(&event); keyframe && keyframe->segment != segment_)
+    begin_epoch(keyframe->segment, keyframe->id);
+  if (const auto* epoch = std::get_if<EpochBegan>(&event); epoch && epoch->segment == segment_)
+    begin_epoch(epoch->segment, epoch->first);
   if (const auto* added = std::get_if<ConstraintAdded>(&event);
       added && added->constraint.from == NodeId::world())
     found_[added->id] = added->constraint.to.number();
   if (const auto* withdrawn = std::get_if<ConstraintWithdrawn>(&event)) found_.erase(withdrawn->id);
-  if (const auto* placed = std::get_if<EpochsPlaced>(&event))
-    is_placed_ = is_found_in(placed->segment, placed->newest_constraint);
+  if (const auto* placed = std::get_if<EpochsPlaced>(&event); placed && placed->segment == segment_)
+    is_placed_ = is_found_since_then(placed->newest_constraint);
+}
+
+void KeptPlaces::begin_epoch(int segment, int first_keyframe) {
+  segment_ = segment, first_keyframe_ = first_keyframe;
+  is_placed_ = false;
 }
 
 // By a constraint that was known when the epochs were placed.
-bool KeptPlaces::is_found_in(int segment, int newest_constraint) const {
-  const auto first = first_.find(segment), next = first_.upper_bound(segment);
-  return first != first_.end() && std::any_of(found_.begin(), found_.end(), [&](const auto& found) {
-           return found.first <= newest_constraint && found.second >= first->second &&
-                  (next == first_.end() || found.second < next->second);
-         });
+bool KeptPlaces::is_found_since_then(int newest_constraint) const {
+  return std::any_of(found_.begin(), found_.end(), [&](const auto& found) {
+    return found.first <= newest_constraint && found.second >= first_keyframe_;
+  });
 }
 
 bool KeptPlaces::is_found(const Run& run) const { return is_in_kept_map(run); }

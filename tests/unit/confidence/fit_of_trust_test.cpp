@@ -135,8 +135,8 @@ void add_constants(test::RecordedValues* values) {
   values->add("bounds of a wrong motion, frames, share of length, share of depth, degrees",
               {double(kMotionTolerance.frames), kMotionTolerance.share_of_length,
                kMotionTolerance.share_of_depth, kMotionTolerance.rotation_deg});
-  values->add("times of a step outlier, error of a turn",
-              {StepGateParams().times, ConfidenceParams().turn_error});
+  values->add("largest step that is none, error of a turn",
+              {StepGateParams().small, ConfidenceParams().turn_error});
   TrackingCheck check;
   Matrix6d covariance = Matrix6d::Identity() * 1e-4;
   Sweep moved;

@@ -120,7 +120,7 @@ TEST(GyroFaults, OneThatDoesNotTurnWithTheCameraIsNotUsedForAsLong) {
   });
   EXPECT_GE(without, 0.8 * kWrongS / kFrame);
   EXPECT_GT(back, 0.8 / kFrame);
-  EXPECT_THAT(aid.take_reports(), ::testing::Contains(HasSubstr("not used for now")));
+  EXPECT_THAT(aid.take_reports(), ::testing::Contains(HasSubstr("set aside")));
 }
 
 // An image that turns wrongly must not be taken for a gyro that has changed; the next ones show that it is

@@ -31,8 +31,8 @@ class KeptPlaces {
 
   /// Takes events of the run, in their order, while it goes on.
   void follow(const std::vector<std::shared_ptr<const MapEvent>>& events);
-  /// Whether the events so far place the segment in use in the frame and unit of this map: after a loss not
-  /// until it is found again.
+  /// Whether the events so far place the epoch in use in the frame and unit of this map: after a loss or a
+  /// doubt not until the camera is found again.
   bool is_placed() const { return is_placed_; }
 
   /// Whether a finished run was found in the map.
@@ -50,10 +50,11 @@ class KeptPlaces {
   std::shared_ptr<const PlaceStore> places_;
   std::vector<std::string> warnings_;
   void follow(const MapEvent& event);
-  bool is_found_in(int segment, int newest_constraint) const;
+  void begin_epoch(int segment, int first_keyframe);
+  bool is_found_since_then(int newest_constraint) const;
 
-  std::map<int, int> found_;  // the constraints that say where the run is, and their keyframes
-  std::map<int, int> first_;  // of each segment, its first keyframe
+  std::map<int, int> found_;               // the constraints that say where the run is, and their keyframes
+  int segment_ = -1, first_keyframe_ = 0;  // of the epoch in use
   bool is_metric_ = false, is_placed_ = false;
   double scale_sigma_ = 0;
 };
