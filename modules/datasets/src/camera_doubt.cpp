@@ -21,7 +21,9 @@ constexpr double kOffByScale = 0.08, kSameShare = 0.05;
 // Degrees. Rectilinear lenses end at 115, with distortion at 150, and the widest fisheyes at 280; few people
 // look at edges through a telescope.
 constexpr double kWidestView = 115, kWidestDistortedView = 150, kWidestFisheyeView = 285, kNarrowestView = 8;
-constexpr double kSquare = 1.25;      // fx over fy: video of other than square pixels has up to 1.2
+// fx over fy: pixels of sensors are square to some thousandths, and poor calibrations say so to some
+// hundredths.
+constexpr double kSquare = 1.06;
 constexpr double kTangential = 0.03;  // p1 and p2 of a lens are below 0.01
 constexpr int kLensGrid = 16;         // cells a side at whose corners distortion is looked at
 

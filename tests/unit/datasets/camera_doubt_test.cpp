@@ -37,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         Doubted{"half_the_focal_length", {{300, 300, 601, 183, 1226, 370}}, "A view of 128 degrees"},
         Doubted{"telescope", {{12572, 12572, 320, 240, 640, 480}}, "A view of 3 degrees"},
         Doubted{"stretched", {{707, 540, 601, 183, 1226, 370}}, "fx and fy differ by 31 %"},
+        Doubted{"slightly_stretched", {{707, 813, 601, 183, 1226, 370}}, "fx and fy differ by 15 %"},
         Doubted{"folded", {{500, 500, 320, 240, 640, 480}, {-0.9, 0.1, 0, 0, 0}}, "folds the image over"},
         Doubted{"narrowed", {{707, 707, 601, 183, 1226, 370}, {5, 20, 0, 0, 0}}, "narrows the view"},
         Doubted{"fisheye_as_plumb_bob",
