@@ -30,15 +30,10 @@ struct Request : FiguresRequest {
   double why = 0;
 };
 
-// The run in pixels of the scene's camera.
-Run read_run(const std::string& path, const Pinhole& pinhole) {
+// The run without its lines.
+Run read_run(const std::string& path) {
   Run run = read_edge_ply(path);
-  for (KeyframeRecord& k : run.keyframes) {
-    k.lines.clear();
-    for (EdgePoint& p : k.points)
-      p.px = pinhole.project(Eigen::Vector3d(double(p.px.x()), double(p.px.y()), 1)).cast<float>();
-  }
-  run.pinhole = pinhole;
+  for (KeyframeRecord& k : run.keyframes) k.lines.clear();
   return run;
 }
 
@@ -162,7 +157,7 @@ int replay(const std::vector<std::string>& args) {
   };
   parse_figures_request(args, kUsage, own, &r);
   const auto renderer = std::make_shared<SceneRenderer>(load_scene(r.scene, r.seed));
-  Run run = read_run(r.light, renderer->camera().pinhole());
+  Run run = read_run(r.light);
   const double unit = evaluate_map(run, *renderer, {8, 2, 0.05, 0, 1}).metres_per_unit;
   if (r.exact) take_true_poses(renderer->scene(), unit, &run);
   for (const KeyframeRecord& k : run.keyframes) {  // for TrueEdges

@@ -13,9 +13,6 @@ namespace edgevo {
 namespace {
 
 constexpr double kMinDepth = 0.05;  // of a point over its depth in the host: nearer is next to the camera
-// Of a point, likewise: from farther off an edge is not seen, or runs together with its neighbours, so that a
-// view which does not show it says nothing.
-constexpr double kMaxDepth = 1.6;
 // From the projected point to the edge, across it: in the first two passes the depth is not yet exact.
 constexpr double kReachPx[] = {3.0, 2.0, 1.25};
 constexpr int kLooks = 3;
@@ -73,7 +70,7 @@ EDGEVO_INLINE int project(const SightGroup& sight, const ViewGroup& view, double
   look->depth = sight.h[2] + idepth * view.e[2];
   look->x = (sight.h[0] + idepth * view.e[0]) / look->depth;
   look->y = (sight.h[1] + idepth * view.e[1]) / look->depth;
-  FourMasks in_view = (look->depth > kMinDepth) & (look->depth < kMaxDepth) & (look->x >= bounds.first) &
+  FourMasks in_view = (look->depth > kMinDepth) & (look->depth < kMaxDepthRatio) & (look->x >= bounds.first) &
                       (look->y >= bounds.first) & (look->x <= bounds.last_x) & (look->y <= bounds.last_y);
   int used = count(in_view);
   for (size_t v = kViewsAtOnce; used > room;)

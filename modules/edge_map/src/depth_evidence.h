@@ -14,6 +14,9 @@ namespace edgevo {
 constexpr double kEdgeBorderPx = 3;
 /// Position noise of an edge along its normal, pixels.
 constexpr double kEdgeSigmaPx = 0.4;
+/// Depth in a view over that in the host: from farther off an edge is not seen, or runs together with its
+/// neighbours, so that a view which does not show it says nothing.
+constexpr double kMaxDepthRatio = 1.6;
 
 /// Inverse depth with the evidence for it.
 struct Hypothesis {

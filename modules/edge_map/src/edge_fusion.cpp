@@ -42,8 +42,6 @@ constexpr size_t kCloudPoints = 1000;  // that views are aligned to: with 100 ha
 constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
-double weight_of(double idepth, double sigma) { return idepth * idepth / (sigma * sigma); }
-
 bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
   return std::abs(known.idepth - node.idepth) <
          kSameSigmas * std::hypot(known.sigma, node.idepth_sigma) + kSameShare * node.idepth;
@@ -103,24 +101,31 @@ struct EdgeFusion::Explained {
 
 void EdgeFusion::add(const EdgeHost& host, std::vector<EdgeView> views) {
   align_tracked_views(cloud_for(host), how_, &views);
-  for (EdgePlane& plane : planes_)
-    plane = plane.seen_from(pinhole_, T_plane_world_ * host.T_cam_world.inverse());
-  T_plane_world_ = host.T_cam_world, plane_host_ = host.id;
-  Explained explained;
-  explained.known.resize(host.pyramid->finest().edges.pixels.size());
-  explained.source.resize(explained.known.size(), nullptr);
-  if (params_.is_fused()) project_lines(host, &explained);
-  const std::vector<EdgePiece> pieces =
-      find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth, params_, &planes_,
-                       trace_ ? &(*trace_)[host.id] : nullptr, explained.idepths());
-  OpenHost open{host.id, host.T_cam_world, {}};
-  for (const EdgePiece& piece : pieces) add_new_lines(host, piece, &explained, &open.lines);
-  count(&explained);
-  open_.push_back(std::move(open));
+  predict_planes(host.T_cam_world);
+  plane_host_ = host.id, T_host_world_ = host.T_cam_world, T_plane_host_ = SE3();
+  open_.push_back({host.id, host.T_cam_world, {}});
+  open_.back().lines = find_lines(host, views);
+  if (params_.is_fused()) add_between(host, views);
   while (int(open_.size()) > kFusionKeyframes) {
     finalise(open_.front());
     open_.pop_front();
   }
+}
+
+// The lines that no earlier one explains.
+std::vector<EdgeFusion::Line> EdgeFusion::find_lines(const EdgeHost& host,
+                                                     const std::vector<EdgeView>& views) {
+  Explained explained;
+  explained.known.resize(host.pyramid->finest().edges.pixels.size());
+  explained.source.resize(explained.known.size(), nullptr);
+  if (params_.is_fused()) project_lines(host, &explained);
+  std::vector<TracedPixel>* trace = trace_ && host.id >= 0 ? &(*trace_)[host.id] : nullptr;
+  std::vector<Line> lines;
+  for (const EdgePiece& piece : find_edge_depths(pinhole_, *host.pyramid, *host.sides, views, host.max_idepth,
+                                                 params_, &planes_, trace, explained.idepths()))
+    add_new_lines(host, piece, &explained, &lines);
+  count(&explained);
+  return lines;
 }
 
 // Some vertices of the lines so far that lie in the image of the host, evenly from all.
@@ -309,16 +314,13 @@ EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
 }
 
 void EdgeFusion::trace(int keyframe, int edge_pixel, EdgeStage stage) const {
-  if (trace_) trace_->at(keyframe)[size_t(edge_pixel)].reach(stage);
+  if (trace_ && keyframe >= 0 && edge_pixel >= 0) trace_->at(keyframe)[size_t(edge_pixel)].reach(stage);
 }
 
-// Between two vertices the inverse depth is linear.
 void EdgeFusion::append_pixels_between(const Vertex& a, const Vertex& b, std::vector<EdgeVertex>* vertices) {
-  const size_t n = a.after.size();
-  for (size_t k = 0; k < n; ++k) {
-    const float share = float(k + 1) / float(n + 1);
+  for (size_t k = 0; k < a.after.size(); ++k) {
     EdgeVertex v = a.after[k];
-    v.idepth = a.vertex.idepth + share * (b.vertex.idepth - a.vertex.idepth);
+    v.idepth = idepth_after(a, b, k);
     v.idepth_sigma = std::max(a.vertex.idepth_sigma, b.vertex.idepth_sigma);
     vertices->push_back(v);
   }
@@ -361,14 +363,6 @@ void EdgeFusion::finalise_line(int host, const Line& line, std::vector<EdgeLine>
       flush();
   }
   flush();
-}
-
-// With another lens, the planes are found anew.
-void EdgeFusion::move_planes(const MapMoved& moved) {
-  const KeyframeMove* m = moved.find(plane_host_);
-  if (!m || moved.lens) return planes_.clear();
-  for (EdgePlane& plane : planes_) plane = plane.scaled(m->scale_ratio);
-  T_plane_world_ = moved.T_cam_map(*m);
 }
 
 // Lines that are final have left as events: whoever holds them moves them.

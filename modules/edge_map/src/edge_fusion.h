@@ -19,6 +19,7 @@ struct ViewGeometry;
 
 /// Data of a keyframe that the fusion needs.
 struct EdgeHost {
+  /// Of the keyframe; -1: it is a frame between keyframes.
   int id = -1;
   std::shared_ptr<const FramePyramid> pyramid;
   std::shared_ptr<const std::vector<EdgeSides>> sides;
@@ -68,6 +69,11 @@ class EdgeFusion {
   struct Sighting;
   struct Explained;
 
+  void predict_planes(const SE3& T_cam_world);
+  std::vector<Line> find_lines(const EdgeHost& host, const std::vector<EdgeView>& views);
+  void add_between(const EdgeHost& keyframe, const std::vector<EdgeView>& views);
+  double nearest_idepth() const;
+  void add_seen_between(const Line& line, const SE3& T_keyframe_host, std::vector<Line>* lines) const;
   std::vector<CloudPoint> cloud_for(const EdgeHost& host) const;
   void add_to_cloud(const ViewGeometry& view, const Vertex& v, std::vector<CloudPoint>* points) const;
   void project_lines(const EdgeHost& host, Explained* explained);
@@ -84,6 +90,12 @@ class EdgeFusion {
   EdgeStage stage_of(const Vertex& v) const;
   void trace(int keyframe, int edge_pixel, EdgeStage stage) const;
   void finalise(const OpenHost& host);
+  static double weight_of(double idepth, double sigma) { return idepth * idepth / (sigma * sigma); }
+  /// Of pixel `k` between `a` and the next vertex `b`: linear there.
+  static float idepth_after(const Vertex& a, const Vertex& b, size_t k) {
+    const float share = float(k + 1) / float(a.after.size() + 1);
+    return a.vertex.idepth + share * (b.vertex.idepth - a.vertex.idepth);
+  }
   static void append_pixels_between(const Vertex& a, const Vertex& b, std::vector<EdgeVertex>* vertices);
   static EdgeLine make_line(const std::vector<const Vertex*>& run);
   void finalise_line(int host, const Line& line, std::vector<EdgeLine>* lines) const;
@@ -96,8 +108,9 @@ class EdgeFusion {
   EdgeTrace* trace_;
   std::deque<OpenHost> open_;      // ascending id
   std::vector<EdgePlane> planes_;  // of the last host, in its image
-  int plane_host_ = -1;
-  SE3 T_plane_world_;  // pose of that host
+  int plane_host_ = -1;            // the last keyframe
+  SE3 T_host_world_;               // pose of that keyframe
+  SE3 T_plane_host_;               // of the last host, seen from that keyframe: a frame after it, or itself
 };
 
 }  // namespace edgevo

@@ -150,8 +150,12 @@ struct EdgeMapper::Impl {
     for (size_t i = 0; i < sorted.size(); ++i) {
       sorted[i]->make_pyramid();
       const Keyframe& near = *keyframes.at(sorted[i]->keyframe_id);
-      const EdgeView view{sorted[i]->pyramid, sorted[i]->sides, T_view_host(*sorted[i]),
-                          near.id == host.id ? 1 : gain_of(host, near), true};
+      const EdgeView view{sorted[i]->pyramid,
+                          sorted[i]->sides,
+                          T_view_host(*sorted[i]),
+                          near.id == host.id ? 1 : gain_of(host, near),
+                          true,
+                          near.id == host.id};
       views->insert(views->begin() + long(std::min(2 * i, views->size())), view);
     }
   }

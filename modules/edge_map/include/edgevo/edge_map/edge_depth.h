@@ -51,6 +51,8 @@ struct EdgeView {
   double gain = 1;
   /// Whether its pose is that of tracking, which nothing has adjusted since.
   bool is_tracked = false;
+  /// Whether it is a frame between the host and the next keyframe.
+  bool is_after_host = false;
 };
 
 /// Edge pixel with its depth.
