@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# edgevo relight: every kind, from folder and rawlog to folder and rawlog, keeps names, times, calibration and ground truth, and is
-# reproducible.
+# edgevo relight: every kind, from folder and rawlog to folder and rawlog, keeps names, times, calibration, gyro and ground truth,
+# and is reproducible.
 . "$(dirname "$0")/cli_common.sh"
 
 # A sequence whose numbers do not start at 0.
-"$edgevo" simulate desk --frames 7:20 -o seq >/dev/null || fail "simulate"
+"$edgevo" simulate desk --frames 7:20 --gyro phone -o seq >/dev/null || fail "simulate"
 "$edgevo" import seq seq.rawlog >/dev/null || fail "import"
 names() { ls "$1" | cksum | cut -d' ' -f1; }
 times_of() { "$edgevo" info "$1" | grep -e '^frames' -e '^duration' -e '^rate' -e '^gaps'; }
@@ -20,6 +20,8 @@ for kind in drift jumps gamma vignette glare blooming shadows blur noise mixed; 
     [ $from = seq ] || out=$kind-of-rawlog
     run_code 0 "$edgevo" relight $from -o "$out" --kind $kind --seed 3
     check "same names, $out" "$(names "$out/images")" -eq "$(names seq/images)"
+    [ $from = seq.rawlog ] || same "gyro, $out" seq/imu.txt "$out/imu.txt"
+    check "samples, $out" "$(wc -l <"$out/imu.txt")" -eq "$(wc -l <seq/imu.txt)"
     for file in times.txt camera.txt groundtruth_tum.txt; do same "$file, $out" seq/$file "$out/$file"; done
   done
   [ "$sources" = seq ] || for image in 000007 000012 000019; do

@@ -74,6 +74,21 @@ Run run_source(ImageSource& source, const OdometryParams& params, uint64_t seed,
   return odometry.finish();
 }
 
+Run run_source(ImageSource& source, const std::vector<GyroSample>& gyro, uint64_t seed) {
+  constexpr double kAfterS = 0.3;  // as far as clocks may differ, and a sample
+  cv::setNumThreads(1);
+  OdometryOptions options;
+  options.seed = seed;
+  Odometry odometry(source.camera(), {}, options);
+  auto next = gyro.begin();
+  while (const std::optional<Frame> frame = source.next()) {
+    for (; next != gyro.end() && seconds_between(frame->time, next->time) < kAfterS; ++next)
+      odometry.add_gyro(*next);
+    odometry.process(*frame);
+  }
+  return odometry.finish();
+}
+
 RunAccuracy measure(Run run, const Trajectory& truth) {
   RunAccuracy figures;
   EvaluationOptions options;

@@ -51,6 +51,9 @@ struct RunAccuracy {
 Run run_source(ImageSource& source, const OdometryParams& params = {}, uint64_t seed = 1,
                const std::optional<Pinhole>& working_pinhole = {});
 
+/// The same with a gyro next to the camera, whose samples are in the order of their times.
+Run run_source(ImageSource& source, const std::vector<GyroSample>& gyro, uint64_t seed);
+
 /// Evaluates a run against ground truth. Throws InputError where fewer than three frames have a pose.
 RunAccuracy measure(Run run, const Trajectory& truth);
 

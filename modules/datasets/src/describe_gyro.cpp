@@ -5,9 +5,11 @@
 #include <limits>
 
 #include "edgevo/core/angle.h"
+#include "edgevo/core/formatted.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/output_file.h"
 #include "edgevo/datasets/gyro_file.h"
+#include "edgevo/gyro/gyro_integrator.h"
 
 namespace edgevo {
 namespace {
@@ -25,6 +27,26 @@ std::string gaps_in_words(const std::vector<double>& steps, double usual) {
   if (gaps == 0) return "no gaps";
   return std::to_string(gaps) + " gaps, the longest of " +
          fixed(*std::max_element(steps.begin(), steps.end()), 3) + " s";
+}
+
+// What the odometry's own counts say of the samples.
+std::string faults_in_words(const std::vector<GyroSample>& samples) {
+  GyroIntegrator gyro;
+  double repeated_s = 0;
+  std::vector<double> noises;
+  for (const GyroSample& sample : samples) {
+    gyro.add(sample);
+    if (gyro.noise() > 0) noises.push_back(gyro.noise());
+    if (!gyro.rests(sample.rate)) repeated_s = std::max(repeated_s, gyro.repeated_s());
+  }
+  std::string words;
+  if (!noises.empty()) words += formatted(", noise %.4f degrees/s/sqrt(Hz)", deg(median(std::move(noises))));
+  if (gyro.missing() > 0)
+    words += formatted(", %d samples missing (%.1f %%)", gyro.missing(), 100 * gyro.missing_share());
+  if (gyro.spikes() > 0) words += formatted(", %d spikes", gyro.spikes());
+  constexpr double kStuckS = 0.1;
+  if (repeated_s > kStuckS) words += formatted(", stuck for %.1f s", repeated_s);
+  return words;
 }
 
 // Mean rate of the second in which it varies least: nearly the bias, if it was at rest then.
@@ -56,9 +78,9 @@ std::vector<std::pair<std::string, std::string>> describe_gyro(const GyroReading
   const std::vector<double> steps = steps_of(samples);
   const double usual = median(steps);
   if (!(usual > 0)) return {{"gyro", std::to_string(samples.size()) + " samples without usable times"}};
-  std::vector<std::pair<std::string, std::string>> lines{{"gyro", std::to_string(samples.size()) +
-                                                                      " samples, " + fixed(1 / usual, 1) +
-                                                                      " Hz, " + gaps_in_words(steps, usual)}};
+  std::vector<std::pair<std::string, std::string>> lines{
+      {"gyro", std::to_string(samples.size()) + " samples, " + fixed(1 / usual, 1) + " Hz, " +
+                   gaps_in_words(steps, usual) + faults_in_words(samples)}};
   const Calmest calmest = calmest_second(samples, usual);
   if (!std::isfinite(calmest.deviation)) return lines;
   std::string rates;

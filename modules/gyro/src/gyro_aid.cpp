@@ -41,8 +41,22 @@ GyroAid::GyroAid(const std::optional<GyroModel>& known) : next_calibration_(kFir
 
 void GyroAid::add(const GyroSample& sample) {
   gyro_.add(sample);
+  note_missing();
   if (gyro_.repeated_s() == 0) stuck_.clear();
   if (!gyro_.rests(sample.rate)) note_stuck(sample.time);
+}
+
+void GyroAid::note_missing() {
+  // A cheap one loses a fiftieth; a share is known to a seventh by so many.
+  constexpr double kNamedShare = 0.05;
+  constexpr int kEnough = 50;
+  if (names_missing_ || gyro_.missing() < kEnough || gyro_.missing_share() < kNamedShare) return;
+  names_missing_ = true;
+  reports_.push_back("gyro: " + describe_missing());
+}
+
+std::string GyroAid::describe_missing() const {
+  return formatted("%.0f %% of its samples are missing", 100 * gyro_.missing_share());
 }
 
 // A coarse gyro repeats its rates for some samples, and one at rest for as long as it rests.
@@ -203,6 +217,8 @@ void GyroAid::compare(const SeenTurn& seen, const CameraTurn& shown, const Eigen
                        beyond.dot(S.inverse() * beyond), shown.noise.trace(), seen.covariance.trace()});
   if (compared_.size() > kCompared) compared_.pop_front();
   if (compared_.size() < kCompared / 2) return;
+  if (compared_.size() == kCompared && is_noisy() && !std::exchange(names_noise_, true))
+    reports_.push_back("gyro: noisy: " + describe_noise());
   const auto [gyro2, going_on2] = errors2();
   // What it states itself may be as large: a cheap one next to a camera that goes straight on.
   if (gyro2 > kWorse * going_on2 && factor() > kWorse) refuse(gyro2, going_on2);
@@ -256,19 +272,27 @@ std::string GyroAid::statement() const {
       (changed_.empty() ? "" : "; " + changed_) + (checks_change_ ? "; not used: checked after that" : "");
   if (!filter_) return "not observed: the camera has not turned enough" + changed;
   if (!is_observed())
-    return "not observed: the camera has turned about one axis only; " + describe(filter_->model()) + changed;
-  return "observed, " + describe(filter_->model()) + describe_noise() + changed;
+    return "not observed: the camera has turned about one axis only; " + describe(filter_->model()) +
+           describe_samples() + changed;
+  return "observed, " + describe(filter_->model()) + describe_samples() + changed;
+}
+
+// Whether a rotation of the images is surer than that of the gyro by its noise alone.
+bool GyroAid::is_noisy() const {
+  std::vector<double> ratios;
+  for (const Compared& c : compared_) ratios.push_back(c.noise2 / c.image2);
+  return !ratios.empty() && median(std::move(ratios)) > 1;
 }
 
 std::string GyroAid::describe_noise() const {
-  char noise[80];
-  std::snprintf(noise, sizeof noise, ", noise %.4f degrees/s/sqrt(Hz)", deg(gyro_.noise()));
-  std::vector<double> ratios;
-  for (const Compared& c : compared_) ratios.push_back(c.noise2 / c.image2);
-  const bool is_noisy = !ratios.empty() && median(std::move(ratios)) > 1;
+  return formatted("noise %.4f degrees/s/sqrt(Hz)", deg(gyro_.noise())) +
+         (is_noisy() ? ", more than that of the images" : "");
+}
+
+std::string GyroAid::describe_samples() const {
   const std::string spikes =
       gyro_.spikes() > 0 ? ", " + std::to_string(gyro_.spikes()) + " spikes left out" : "";
-  return noise + std::string(is_noisy ? ", more than that of the images" : "") + spikes;
+  return ", " + describe_noise() + (names_missing_ ? ", " + describe_missing() : "") + spikes;
 }
 
 }  // namespace edgevo

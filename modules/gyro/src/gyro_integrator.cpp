@@ -33,6 +33,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!first_) first_ = sample.time;
   const double t = seconds(sample.time);
   if (!sample.rate.allFinite() || (!samples_.empty() && t <= samples_.back().t)) return false;
+  count_missing(t);
   const bool repeats = !samples_.empty() && unit_ * sample.rate == samples_.back().rate;
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
@@ -48,6 +49,14 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   forget();
   if (++since_measured_ >= kMeasureEvery) measure_noise(), since_measured_ = 0;
   return true;
+}
+
+// A sample that repeats its rates is not missing, though it is not used.
+void GyroIntegrator::count_missing(double t) {
+  if (step_ > 0 && t > offered_until_)
+    missing_ += std::max(0, int(std::lround((t - offered_until_) / step_)) - 1);
+  offered_until_ = std::max(offered_until_, t);
+  ++offered_;
 }
 
 // By its neighbours, of which `rate` is the next one.

@@ -235,6 +235,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, const ImageZ
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
   if (!is_map_in_doubt(*record)) front_end.confirm_turn();
+  if (p_right(found.doubts) >= kDoubtfulBelow) front_end.believe_gyro();
 }
 
 // ---- doubt ----

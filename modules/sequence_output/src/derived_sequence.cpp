@@ -29,11 +29,13 @@ int write_relit_folder(RelitSource& source, const RelightRequest& options, const
     writer.add(*frame);
     progress(++count);
   }
+  writer.add_gyro(source.gyro_readings());
   writer.finish(
       truth,
       "# Relit sequence\n\nThe images of another sequence under changed light (`edgevo relight --kind " +
           options.kind + " --seed " + std::to_string(options.seed) +
-          "`); names, times, calibration and ground truth are the source's. Its licence holds for these "
+          "`); names, times, calibration, gyro and ground truth are the source's. Its licence holds for "
+          "these "
           "images, too.\n");
   return count;
 }
@@ -105,6 +107,8 @@ void write_overlaid(const OverlayRequest& request, const SequenceHost& host) {
     }
   }
   if (const GrayImage own = source.own_part_mask(); !own.empty()) writer.add_fixed_mask(own);
+  // A camera that is made to stand turns otherwise than its gyro.
+  if (request.overlay.standing == 0) writer.add_gyro(source.gyro_readings());
   writer.finish(source.ground_truth(truth), overlay_note(request.overlay));
   host.print(request.out + ": " + std::to_string(count) + " frames");
   if (request.overlay.standing > 0 && request.overlay.stop_at >= count)

@@ -61,7 +61,7 @@ SimulatedGyro gyro_of(const SceneRenderer& renderer, const RenderRequest& option
 // imu.txt next to the images, and the truth about it.
 void write_gyro(const SceneRenderer& renderer, const RenderRequest& options, const FolderExport& range) {
   const SimulatedGyro gyro = gyro_of(renderer, options, range);
-  write_file(options.out + "/imu.txt", imu_text(gyro));
+  write_file(options.out + "/imu.txt", imu_text(gyro.samples));
   write_file(options.out + "/gyro_truth.yaml", gyro_truth_text(gyro, options.gyro));
 }
 

@@ -12,6 +12,7 @@
 #include "edgevo/core/output_file.h"
 #include "edgevo/core/run_parallel.h"
 #include "edgevo/files/image_names.h"
+#include "edgevo/simulation/simulated_gyro.h"
 #include "edgevo/simulation/true_edge_labels.h"
 
 namespace edgevo {
@@ -177,6 +178,13 @@ void FolderWriter::add_mask(const Frame& frame, const GrayImage& mask) {
 }
 
 void FolderWriter::add_fixed_mask(const GrayImage& mask) { write_png(folder_ + "/mask.png", mask); }
+
+void FolderWriter::add_gyro(const GyroReadings& readings) {
+  std::vector<GyroSample> samples;
+  while (const std::optional<GyroSample> sample = readings ? readings() : std::nullopt)
+    samples.push_back(*sample);
+  if (!samples.empty()) write_file(folder_ + "/imu.txt", imu_text(samples));
+}
 
 void FolderWriter::finish(const std::string& ground_truth, const std::string& source_note) {
   write_file(folder_ + "/times.txt", times_);

@@ -125,13 +125,17 @@ SimulatedGyro simulate_gyro(const std::function<SE3(double)>& T_scene_cam_at, do
   return gyro;
 }
 
-std::string imu_text(const SimulatedGyro& gyro) {
-  std::string text = "# timestamp[ns] w.x w.y w.z [rad/s] a.x a.y a.z [m/s^2]\n";
-  for (size_t i = 0; i < gyro.samples.size(); ++i) {
-    constexpr int64_t kNanoseconds = 1'000'000'000 / Timestamp::kTicksPerSecond;
-    text += std::to_string(gyro.samples[i].time.ticks * kNanoseconds);
-    for (const double value : gyro.samples[i].rate) text += " " + fixed(value, 7);
-    for (const double value : gyro.samples[i].acceleration) text += " " + fixed(value, 5);
+std::string imu_text(const std::vector<GyroSample>& samples) {
+  constexpr int64_t kNanoseconds = 1'000'000'000 / Timestamp::kTicksPerSecond;
+  const bool is_felt = std::any_of(samples.begin(), samples.end(),
+                                   [](const GyroSample& s) { return !s.acceleration.isZero(); });
+  std::string text = "# timestamp[ns] w.x w.y w.z [rad/s]";
+  text += is_felt ? " a.x a.y a.z [m/s^2]\n" : "\n";
+  for (const GyroSample& sample : samples) {
+    text += std::to_string(sample.time.ticks * kNanoseconds);
+    for (const double value : sample.rate) text += " " + fixed(value, 7);
+    if (is_felt)
+      for (const double value : sample.acceleration) text += " " + fixed(value, 5);
     text += "\n";
   }
   return text;

@@ -4,14 +4,19 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <string>
+
 #include "edgevo/core/angle.h"
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/core/random.h"
 #include "support/temp_folder.h"
 
 namespace edgevo::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 class GyroFileTest : public ::testing::Test {
@@ -85,8 +90,27 @@ TEST_F(GyroFileTest, DescribesRateGapsAndRest) {
     return next < samples.size() ? std::make_optional(samples[next++]) : std::nullopt;
   });
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_THAT(lines[0].second, HasSubstr("200.0 Hz, 1 gaps, the longest of 0.11"));
+  EXPECT_THAT(lines[0].second,
+              AllOf(HasSubstr("200.0 Hz, 1 gaps, the longest of 0.11"), HasSubstr("stuck for 1.5 s")));
   EXPECT_THAT(lines[1].second, HasSubstr("(0.573, -1.146, 0.000)"));
+}
+
+TEST_F(GyroFileTest, CountsWhatIsMissingAndMeasuresTheNoise) {
+  constexpr double kStep = 0.005, kNoise = rad(0.01);  // rad/s over the root of a hertz
+  Random random(1);
+  std::vector<GyroSample> samples;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = random.normal(), y = random.normal(), z = random.normal();
+    if (i > 100 && i < 1999 && random.uniform() < 0.1) continue;
+    samples.push_back(
+        {Timestamp::from_seconds(kStep * i), kNoise / std::sqrt(kStep) * Eigen::Vector3d(x, y, z)});
+  }
+  size_t next = 0;
+  const auto lines = describe_gyro([&]() -> std::optional<GyroSample> {
+    return next < samples.size() ? std::make_optional(samples[next++]) : std::nullopt;
+  });
+  const std::string missing = std::to_string(2000 - samples.size()) + " samples missing";
+  EXPECT_THAT(lines[0].second, AllOf(HasSubstr(missing), HasSubstr("noise 0.0100 degrees/s/sqrt(Hz)")));
 }
 
 }  // namespace

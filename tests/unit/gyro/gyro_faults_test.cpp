@@ -51,6 +51,10 @@ const std::vector<Fault>& faults() {
          const double x = random->normal(), y = random->normal(), z = random->normal();
          s->rate += 20 * rad(0.01) * std::sqrt(200.0) * Eigen::Vector3d(x, y, z);
        }},
+      {"missing", "% of its samples are missing",
+       [](double, Random* random, GyroSample* s) {
+         if (random->uniform() < 0.2) s->rate.setConstant(std::nan(""));
+       }},
       {"mirror", "mirrored", [](double, Random*, GyroSample* s) { s->rate.y() *= -1; }},
       {"stuck", "stuck", [](double, Random*, GyroSample* s) { s->rate.setConstant(0.3); }},
   };

@@ -68,6 +68,7 @@ class GyroAid {
   };
 
   void note_stuck(Timestamp time);
+  void note_missing();
   void calibrate();
   void take_fit(const GyroFit& fit);
   void follow(const SeenTurn& seen);
@@ -79,7 +80,10 @@ class GyroAid {
   bool is_observed() const { return filter_ && filter_->model().is_observed(); }
   double factor() const;
   std::pair<double, double> errors2() const;
+  bool is_noisy() const;
   std::string describe_noise() const;
+  std::string describe_missing() const;
+  std::string describe_samples() const;
 
   GyroIntegrator gyro_;
   std::optional<GyroFilter> filter_;
@@ -88,9 +92,10 @@ class GyroAid {
   std::deque<Compared> compared_;
   std::optional<SeenTurn> last_;
   bool was_observed_ = false, checks_change_ = false;
-  std::string changed_;  // when and how it has changed last
-  std::string stuck_;    // since when it repeats its rates
-  std::string fault_;    // why it is not used; empty: none
+  bool names_noise_ = false, names_missing_ = false;  // said already
+  std::string changed_;                               // when and how it has changed last
+  std::string stuck_;                                 // since when it repeats its rates
+  std::string fault_;                                 // why it is not used; empty: none
   std::vector<std::string> reports_;
 };
 

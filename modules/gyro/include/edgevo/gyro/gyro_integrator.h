@@ -48,6 +48,10 @@ class GyroIntegrator {
   /// explains, and than these are off one another. Of others that are off so far the rotation is as unsure as
   /// they are off.
   int spikes() const { return spikes_; }
+  /// How many samples are missing, by the gaps between the times of the others.
+  int missing() const { return missing_; }
+  /// Their share of all, 0 to 1.
+  double missing_share() const { return missing_ > 0 ? double(missing_) / (offered_ + missing_) : 0; }
   /// Whether these rates, as measured, are those of a gyro at rest.
   bool rests(const Eigen::Vector3d& rate) const;
   /// For how long the rates have been the same, seconds.
@@ -97,6 +101,7 @@ class GyroIntegrator {
   // The first sample after `begin`; nothing unless samples without a gap reach over both times.
   std::optional<Iterator> first_within(double begin, double end) const;
   Eigen::Vector3d integral_to(double t) const;
+  void count_missing(double t);
   void weigh_newest(double t, const Eigen::Vector3d& rate);
   void measure_noise();
   void forget();
@@ -105,7 +110,8 @@ class GyroIntegrator {
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
   double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0, repeated_since_ = 0;
-  int since_measured_ = 0, spikes_ = 0;
+  double offered_until_ = 0;  // time of the newest sample, used or not
+  int since_measured_ = 0, spikes_ = 0, offered_ = 0, missing_ = 0;
 };
 
 }  // namespace edgevo

@@ -17,6 +17,7 @@
 #include <functional>
 #include <string>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/simulation/overlay.h"
 #include "edgevo/simulation/scene_renderer.h"
 
@@ -56,6 +57,8 @@ class FolderWriter {
   /// Writes mask.png: 255 where the scene is seen, 0 on parts that are fixed to the camera. Throws
   /// InputError.
   void add_fixed_mask(const GrayImage& mask);
+  /// Writes imu.txt, unless there are no samples. Throws InputError.
+  void add_gyro(const GyroReadings& readings);
   /// Writes the lists; `ground_truth` is the text of groundtruth_tum.txt (empty: no such file), `source_note`
   /// that of SOURCE.md. Throws InputError.
   void finish(const std::string& ground_truth, const std::string& source_note);

@@ -37,8 +37,8 @@ std::vector<std::string> gyro_kinds();
 SimulatedGyro simulate_gyro(const std::function<SE3(double)>& T_scene_cam_at, double begin_s, double end_s,
                             const std::string& kind, uint64_t seed);
 
-/// Text of imu.txt, as DM-VIO and TUM-VI have it: nanoseconds, rad/s, m/s^2.
-std::string imu_text(const SimulatedGyro& gyro);
+/// Text of imu.txt, as DM-VIO and TUM-VI have it: nanoseconds, rad/s and, where they are measured, m/s^2.
+std::string imu_text(const std::vector<GyroSample>& samples);
 /// Text of gyro_truth.yaml.
 std::string gyro_truth_text(const SimulatedGyro& gyro, const std::string& kind);
 

@@ -91,6 +91,9 @@ class FrontEnd {
   /// Shows the gyro the rotation of the accepted pose: of one that is not doubtful. The edges of a map that
   /// is bent fit, and turn wrongly.
   void confirm_turn();
+  /// Says that what the accepted pose is doubted for, if it is, is nothing that a wrong gyro causes: how much
+  /// of the unit of length a turn has carried on. The next frame is not seen again without it for that.
+  void believe_gyro() { in_doubt_ = false; }
 
   /// Reference that frames are tracked against; null without a map.
   const std::shared_ptr<const Reference>& reference() const { return reference_; }
@@ -158,7 +161,7 @@ class FrontEnd {
   MotionModel motion_;
   GyroAid gyro_;
   std::optional<ImageTurn> seen_turn_;     // until the pose is confirmed
-  bool in_doubt_ = false;                  // the newest frame: its turn was not confirmed
+  bool in_doubt_ = false;                  // the newest frame: a wrong gyro may have bent it
   Timestamp begun_, pose_time_;            // of the newest frame, and of the last one with a pose
   std::optional<RotationByImage> turned_;  // of that one
   MotionHistory* history_;
