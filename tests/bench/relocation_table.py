@@ -6,8 +6,9 @@
 
 Each SOURCE (a sequence, or scene:NAME for one that is rendered) is run once as it is and keeps its map. Then short runs begin at random
 places of the same images, relit and with another seed, with --map. Right: the last pose is within 2 % of the median depth there and 2
-degrees of that of the map's run; wrong: it is not, although the run says that it was found. --kind own: not relit. With --foreign the map
-is that of the next SOURCE instead, and whatever is found is wrong. Maps and relit images in WORK are used again."""
+degrees of that of the map's run; wrong: it is not, although the run says that it was found. --kind own: not relit. With --foreign the
+maps are those of all other SOURCEs of the same camera instead: of other scenes, so that whatever is found is wrong. Maps and relit images
+in WORK are used again."""
 import argparse
 import concurrent.futures
 import csv
@@ -20,8 +21,14 @@ import statistics
 import subprocess
 
 
+class OtherCamera(Exception):
+    pass
+
+
 def edgevo(arguments, options):
     done = subprocess.run([options.edgevo, *map(str, arguments)], capture_output=True, text=True)
+    if "was made by another camera" in done.stderr:
+        raise OtherCamera
     if done.returncode not in (0, 3):
         raise SystemExit(f"edgevo {arguments[0]} {arguments[1]}: {done.stderr.strip()}")
     return done.stdout
@@ -102,18 +109,24 @@ def locate(name, images, map_folder, begin, options):
     return begin, bool(found), poses
 
 
-def row(name, images, truth, other_map, options):
+def row(name, label, images, truth, map_used, options):
     begins = beginnings(name, truth.frames, options)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        done = list(pool.map(lambda b: locate(name, images, other_map.folder, b, options), begins))
-    errors = [(b, *other_map.error(poses, b)) for b, found, poses in done if found]
+        done = list(pool.map(lambda b: locate(name, images, map_used.folder, b, options), begins))
+    errors = [(b, *map_used.error(poses, b)) for b, found, poses in done if found]
     right = [e for e in errors if not options.foreign and e[1] <= 0.02 and e[2] <= 2]
     wrong = [e for e in errors if e not in right]
     median = [100 * statistics.median(e[1] for e in right), statistics.median(e[2] for e in right)] if right else [math.nan] * 2
-    print(f"{name:20} {len(begins):6} {len(right):6} {len(wrong):6} {median[0]:8.2f} {median[1]:8.3f}", flush=True)
+    print(f"{label:28} {len(begins):6} {len(right):6} {len(wrong):6} {median[0]:8.2f} {median[1]:8.3f}", flush=True)
     for begin, share, degrees in wrong:
         print(f"    wrong: images from {begin}: {100 * share:.1f} % of the depth, {degrees:.2f} degrees", flush=True)
     return len(begins), len(right), len(wrong)
+
+
+def pairs(maps, foreign):
+    if not foreign:
+        return [(name, name) for name in maps]
+    return [(name, other) for name in maps for other in maps if other != name]
 
 
 def main():
@@ -130,13 +143,15 @@ def main():
     sources = [s.split("=", 1) for s in options.sources]
     images = {name: sequence_of(name, source, options) for name, source in sources}
     maps = {name: Map(name, images[name], options) for name, _ in sources}
-    names = [name for name, _ in sources]
-    print(f"{'':20} {'places':>6} {'right':>6} {'wrong':>6} {'median %':>8} {'degrees':>8}")
+    print(f"{'':28} {'places':>6} {'right':>6} {'wrong':>6} {'median %':>8} {'degrees':>8}")
     rows = []
-    for i, name in enumerate(names):
-        other_map = names[(i + 1) % len(names)] if options.foreign else name
-        rows.append(row(name, relit(name, images[name], options), maps[name], maps[other_map], options))
-    print(f"{'all':20} " + " ".join(f"{sum(column):6}" for column in zip(*rows)))
+    for name, other in pairs(maps, options.foreign):
+        label = f"{name} in {other}" if options.foreign else name
+        try:
+            rows.append(row(name, label, relit(name, images[name], options), maps[name], maps[other], options))
+        except OtherCamera:
+            continue
+    print(f"{'all':28} " + " ".join(f"{sum(column):6}" for column in zip(*rows)))
 
 
 if __name__ == "__main__":

@@ -63,6 +63,43 @@ TEST(Clip, BackwardTheTimesGrowToo) {
   EXPECT_EQ(backward->camera.pinhole().width, 8);
 }
 
+// A gyro next to the counting source: four samples, one before the first frame.
+class TurningSource : public CountingSource {
+ public:
+  TurningSource() : CountingSource(4) {}
+  GyroReadings gyro_readings() const override {
+    return [i = 0]() mutable -> std::optional<GyroSample> {
+      if (i == 4) return std::nullopt;
+      const int n = i++;
+      return GyroSample{Timestamp{900 * n - 100}, {0.1 * n, 1, 2}, {0, 9.8, 0}};
+    };
+  }
+};
+
+std::vector<GyroSample> played_gyro(std::shared_ptr<const Clip> clip) {
+  std::vector<GyroSample> samples;
+  const GyroReadings readings = ClipSource(std::move(clip)).gyro_readings();
+  while (const auto sample = readings ? readings() : std::nullopt) samples.push_back(*sample);
+  return samples;
+}
+
+TEST(Clip, HasTheGyroOfItsSource) {
+  TurningSource source;
+  const auto clip = read_clip(source, [](int) { return true; });
+  for (int round = 0; round < 2; ++round) EXPECT_EQ(played_gyro(clip).size(), 4u);
+  EXPECT_EQ(played_gyro(with_gaps(*clip, 3)).size(), 4u);
+  const std::vector<GyroSample> backward = played_gyro(played_backward(*clip));
+  ASSERT_EQ(backward.size(), 4u);
+  for (int n = 0; n < 4; ++n) {
+    const GyroSample& sample = backward[size_t(3 - n)];
+    EXPECT_EQ(sample.time, Timestamp{3000 - (900 * n - 100)});
+    EXPECT_EQ(sample.rate, Eigen::Vector3d(-0.1 * n, -1, -2));
+    EXPECT_EQ(sample.acceleration.y(), 9.8);
+  }
+  CountingSource without(4);
+  EXPECT_FALSE(ClipSource(read_clip(without, [](int) { return true; })).gyro_readings());
+}
+
 TEST(Clip, WithGapsFramesAreMissingAndTheOthersAreAsBefore) {
   CountingSource source(200);
   const auto clip = read_clip(source, [](int) { return true; });

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "edgevo/core/gyro_sample.h"
 #include "edgevo/core/image_source.h"
 
 namespace edgevo {
@@ -18,6 +19,8 @@ struct Clip {
   std::string kind;
   /// Frames in time order.
   std::vector<Frame> frames;
+  /// What a gyro next to the camera measured, in time order; empty: there is none.
+  std::vector<GyroSample> gyro = {};
 };
 
 /// Reads a source to its end, calling `on_frame` with the number of frames so far; if it returns false, the
@@ -25,7 +28,7 @@ struct Clip {
 std::shared_ptr<const Clip> read_clip(ImageSource& source, const std::function<bool(int)>& on_frame);
 
 /// The same frames in reverse order; index and time are mirrored (first + last - own), so that both still
-/// increase.
+/// increase, and the rates of the gyro are reversed.
 std::shared_ptr<const Clip> played_backward(const Clip& clip);
 
 /// The clip as recorded by an overloaded recorder: nearly a third of the frames is missing, drawn by `seed`,
@@ -41,6 +44,7 @@ class ClipSource : public ImageSource {
   const Camera& camera() const override { return clip_->camera; }
   std::optional<int> size() const override { return int(clip_->frames.size()); }
   std::string kind() const override { return clip_->kind; }
+  GyroReadings gyro_readings() const override;
   std::vector<Timestamp> times() const override;
   std::optional<Frame> next() override;
   bool skip() override;
