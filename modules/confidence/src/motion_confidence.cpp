@@ -112,7 +112,6 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
   trust.p_wrong_focal_length =
       probability_of_wrong_focal_length(e.focal_error, e.focal_error_sigma, deg(motion.turn_rad));
   trust.unit_sigma = carried_unit_sigma();
-  trust.added_unit_sigma = std::sqrt(added_variance_);
   trust.p_wrong_unit = probability_beyond(0, trust.unit_sigma, kMotionTolerance.share_of_length);
   trust.p_wrong_zoom = probability_of_wrong_zoom(frame.by_zoom.depths, frame.by_zoom.sigma, length);
   trust.p_right = edgevo::p_right(trust.doubts, 1 - (1 - trust.p_wrong_focal_length) *

@@ -231,7 +231,7 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, const ImageZ
   record->evidence.moved_by_map = history.newest().moved_by_map / record->evidence.median_depth;
   const FrameConfidence found = confidence.add({record->evidence, history.newest(), zoom_change.add(zoom)});
   record->p_right = found.p_right;
-  unit_sigma = found.unit_sigma, added_unit_sigma = found.added_unit_sigma;
+  unit_sigma = found.unit_sigma;
   assign_status(frame_status(by_image, found), record);
   record->covariance *= covariance_factor(found.p_right);
   if (!is_map_in_doubt(*record)) front_end.confirm_turn();
@@ -243,23 +243,17 @@ void Odometry::Impl::assign_confidence(const FrameStatus& by_image, const ImageZ
 void Odometry::Impl::watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked) {
   const TrustedReference view{now.frame.index, state.segment(), front_end.reference()};
   const IntegrityMonitor::Integrity found =
-      integrity.add(now.frame.index, view, is_map_in_doubt(*now.record) || is_unit_in_doubt(*tracked));
+      integrity.add(now.frame.index, view, is_map_in_doubt(*now.record) || unit_sigma > kUnitKnown);
   tracked->is_in_doubt = found == IntegrityMonitor::Integrity::kInDoubt;
   if (tracked->is_in_doubt) keep_views_before();
   scales.begin(found, now.frame.index, view, integrity.before(), [&](const TrustedReference& v) {
     return frames.scale_of(v.segment, v.reference->keyframe_id);
   });
   if (const std::optional<ScaleAnswer> answer = scales.take(found, view)) {
-    keep_links(*answer, tracked->turn.has_value());
+    keep_links(*answer);
     report_links(now, *answer);
     tracked->confirms_map = answer->confirms_map;
   }
-}
-
-// A turn that a gyro knows has ended with the keyframe that measures depths again: those from there on share
-// one unit. Without a gyro it is looked at for as long as the motion that counts.
-bool Odometry::Impl::is_unit_in_doubt(const TrackedFrame& tracked) const {
-  return unit_sigma > kUnitKnown && !(tracked.turn && added_unit_sigma < kUnitCarriedOn);
 }
 
 void Odometry::Impl::keep_views_before() {
@@ -267,14 +261,12 @@ void Odometry::Impl::keep_views_before() {
 }
 
 // What links the map to a view before several doubts relates all epochs since.
-void Odometry::Impl::keep_links(const ScaleAnswer& answer, bool is_turn_known) {
+void Odometry::Impl::keep_links(const ScaleAnswer& answer) {
   bool is_new = answer.begins_epoch();
-  if (is_new) {
-    EpochBegan began{answer.now.segment, answer.last_before->reference->keyframe_id,
-                     answer.now.reference->keyframe_id};
-    began.is_turn_known = is_turn_known;
-    frames.begin_epoch(began, answer.last_before->frame_index, answer.frame_index);
-  }
+  if (is_new)
+    frames.begin_epoch(
+        {answer.now.segment, answer.last_before->reference->keyframe_id, answer.now.reference->keyframe_id},
+        answer.last_before->frame_index, answer.frame_index);
   for (const ComparedScale& c : answer.compared) {
     if (!c.found.linked) continue;
     const auto& [before, link] = *c.found.linked;

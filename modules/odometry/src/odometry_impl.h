@@ -62,11 +62,10 @@ struct Odometry::Impl {
 
   // ---- doubt ----
   void watch_integrity(const ArrivedFrame& now, TrackedFrame* tracked);
-  bool is_unit_in_doubt(const TrackedFrame& tracked) const;
   // However long the doubt or the loss will last.
   void keep_views_before();
   // What relates the map to what was seen before this doubt, or an earlier one.
-  void keep_links(const ScaleAnswer& answer, bool is_turn_known);
+  void keep_links(const ScaleAnswer& answer);
   void report_links(const ArrivedFrame& now, const ScaleAnswer& answer);
 
   // ---- making a map ----
@@ -120,7 +119,7 @@ struct Odometry::Impl {
   MapCursor adjustments;
   MotionConfidence confidence;
   ZoomChange zoom_change;
-  double unit_sigma = 0, added_unit_sigma = 0;  // as FrameConfidence, of the newest frame
+  double unit_sigma = 0;  // FrameConfidence::unit_sigma of the newest frame
   IntegrityMonitor integrity;
   ScaleComparisons scales;
   FrontEnd front_end;

@@ -241,7 +241,7 @@ void visit(Visit& v, typename Visit::template Value<SegmentPlaced>& e) {
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<EpochBegan>& e) {
   v.plain(e.segment), v.plain(e.last_before), v.plain(e.first);
-  v.plain(e.unit_sigma), v.plain(e.is_doubted), v.plain(e.is_turn_known);
+  v.plain(e.unit_sigma), v.plain(e.is_doubted);
 }
 
 template <class Visit>

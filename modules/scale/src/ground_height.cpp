@@ -14,6 +14,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kMinGroundPoints = 20;       // least number of points in an interval
+constexpr double kMaxAhead = 3;            // camera heights: beyond the end of a path the pitch would count
 constexpr double kMaxPathPerDistance = 2;  // a point not passed after twice the distance to it never will be
 // The direction of travel is taken over at least this many heights to each side.
 constexpr double kDirectionHeights = 0.5;
@@ -99,7 +100,7 @@ std::optional<HeightSample> look_at(const Path& path, const Eigen::Vector3d& dow
   const Eigen::Vector3d d = p_world - path[*j].T_world_cam.translation();
   const double height = d.dot(axes->down), aside = std::abs(d.dot(axes->down.cross(axes->forward)));
   if (!(height > 0) || aside > params.ground_width * height ||
-      std::abs(d.dot(axes->forward)) > kFarthestGround * height)
+      std::abs(d.dot(axes->forward)) > kMaxAhead * height)
     return std::nullopt;
   return HeightSample{path[*j].distance, height};
 }
@@ -109,11 +110,12 @@ std::optional<HeightSample> look_at(const Path& path, const Eigen::Vector3d& dow
 
 // Bins of log height: 1 %, smoothed to about the spread of the ground, which gives one peak.
 constexpr double kBin = 0.01, kSmoothing = 0.03;
-// Spreads of the ground: they hold 97 % of its points on a drive; beyond, a normal weight is negligible.
-constexpr double kReachSigmas = 3;
-constexpr int kMeanShifts = 20;    // more than the mean needs to converge
-constexpr double kMinShare = 0.5;  // of the samples near the mode: drives give 0.97, heights spread evenly
-                                   // up to the largest 0.3 to 0.4
+// Spread of log height: three of it hold 97 % of the ground points of a drive.
+constexpr double kWidth = 0.04;
+constexpr double kReachSigmas = 3;  // beyond it a normal weight is negligible
+constexpr int kMeanShifts = 20;     // more than the mean needs to converge
+constexpr double kMinShare = 0.5;   // of the samples near the mode: drives give 0.97, heights spread evenly
+                                    // up to the largest 0.3 to 0.4
 
 double histogram_peak(const std::vector<double>& logs) {
   const auto [low, high] = std::minmax_element(logs.begin(), logs.end());
@@ -130,9 +132,7 @@ double histogram_peak(const std::vector<double>& logs) {
   return *low + (double(peak) + 0.5 - reach) * kBin;
 }
 
-double weight(double x, double mode) {
-  return std::exp(-0.5 * (x - mode) * (x - mode) / (kGroundSpread * kGroundSpread));
-}
+double weight(double x, double mode) { return std::exp(-0.5 * (x - mode) * (x - mode) / (kWidth * kWidth)); }
 
 double mean_shift(const std::vector<double>& logs, double mode) {
   for (int i = 0; i < kMeanShifts; ++i) {
@@ -223,7 +223,7 @@ std::optional<ScaleEstimate> fit_height(const std::vector<HeightSample>& samples
   const double mode = mean_shift(logs, histogram_peak(logs));
   std::vector<Residual> residuals;
   for (size_t i = 0; i < logs.size(); ++i)
-    if (std::abs(logs[i] - mode) < kReachSigmas * kGroundSpread)
+    if (std::abs(logs[i] - mode) < kReachSigmas * kWidth)
       residuals.push_back({samples[i].distance, logs[i] - mode});
   if (double(residuals.size()) < kMinShare * double(logs.size()) || int(residuals.size()) < kMinGroundPoints)
     return std::nullopt;

@@ -43,7 +43,7 @@ void GroundLinks::handle(const EpochBegan& e) {
   // Of a doubt that was evaluated when the next map had begun both units are in what was measured.
   if (before != &parts_.back()) return forget_height(before);
   Part now;
-  now.segment = e.segment, now.first_keyframe = e.first, now.looks_aside = e.is_turn_known;
+  now.segment = e.segment, now.first_keyframe = e.first;
   const auto is_before = [&](const Seen& k) { return k.id <= e.last_before; };
   const auto end = std::partition_point(before->keyframes.begin(), before->keyframes.end(), is_before);
   const auto begin =
@@ -119,34 +119,21 @@ std::vector<GroundLinks::Seen> GroundLinks::seen_in(const Part& part) const {
 
 // ---- heights ----
 
-std::optional<ScaleEstimate> GroundLinks::measure(const std::vector<Seen>& keyframes,
-                                                  const ScaleParams& params) const {
+std::optional<ScaleEstimate> GroundLinks::measure(const std::vector<Seen>& keyframes) const {
   std::vector<HeightSample> heights;
   for (const Seen& k : keyframes)
-    for (HeightSample height : ground_heights(pinhole_, *k.record, down_, path_, true, params)) {
+    for (HeightSample height : ground_heights(pinhole_, *k.record, down_, path_, true, params_)) {
       height.height *= k.height_ratio;
       heights.push_back(height);
     }
-  return fit_height(heights, 1.0, params);
-}
-
-// A camera that has turned may not see the strip under its way, as one that looks across it. Ground as far
-// aside as ahead may lie higher, like that beyond a kerb.
-std::optional<ScaleEstimate> GroundLinks::measure_newest(const std::vector<Seen>& keyframes) const {
-  std::optional<ScaleEstimate> height = measure(keyframes, params_);
-  if (height || !parts_.back().looks_aside) return height;
-  ScaleParams wide = params_;
-  wide.ground_width = kFarthestGround;
-  height = measure(keyframes, wide);
-  if (height) height->sigma = std::hypot(height->sigma, kGroundSpread);
-  return height;
+  return fit_height(heights, 1.0, params_);
 }
 
 // From those that have left the window: it may show what lies beyond the end.
 void GroundLinks::measure_end(Part* part) const {
   const std::vector<Seen> marginalised(part->keyframes.begin(), part->keyframes.end());
   if (marginalised.empty()) return;
-  part->height = measure(marginalised, params_);
+  part->height = measure(marginalised);
   part->last_keyframe = marginalised.back().id;
   part->keyframes.clear();
 }
@@ -160,7 +147,7 @@ void GroundLinks::link_newest() {
   const size_t keyframes = now.marginalised + seen.size() - now.keyframes.size();
   if (seen.empty() || keyframes < now.due) return;
   now.due = 2 * keyframes;
-  const std::optional<ScaleEstimate> height = measure_newest(seen);
+  const std::optional<ScaleEstimate> height = measure(seen);
   if (!height) return;
   const std::optional<int> earlier = now.constraint;
   now.constraint = log_->add_constraint(scale_constraint(

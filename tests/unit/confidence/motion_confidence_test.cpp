@@ -82,7 +82,6 @@ TEST(MotionConfidence, AUnitThatIsCarriedBadlyIsDoubted) {
     drive.trust.add_adjustment(adjustment);
     const FrameConfidence found = drive.go(good_evidence());
     EXPECT_NEAR(found.unit_sigma, sigma, 1e-9);
-    EXPECT_NEAR(found.added_unit_sigma, sigma, 1e-9);
     EXPECT_LE(found.p_right, before);
     EXPECT_LT(before - found.p_right, 0.5);
     before = found.p_right;
@@ -92,20 +91,6 @@ TEST(MotionConfidence, AUnitThatIsCarriedBadlyIsDoubted) {
     }
   }
   EXPECT_LT(before, kDoubtfulBelow);
-}
-
-// The unit stays in doubt for longer than keyframes take from it.
-TEST(MotionConfidence, AKeyframeThatMeasuresDepthsTakesNothingFromTheUnit) {
-  Drive drive;
-  AdjustmentEvidence adjustment;
-  adjustment.unit_variance = 0.04;
-  drive.trust.add_adjustment(adjustment);
-  drive.go(good_evidence());
-  adjustment.unit_variance = 0;
-  drive.trust.add_adjustment(adjustment);
-  const FrameConfidence found = drive.go(good_evidence());
-  EXPECT_NEAR(found.unit_sigma, 0.2, 1e-9);
-  EXPECT_EQ(found.added_unit_sigma, 0);
 }
 
 TEST(PRight, NeverRisesWithADoubt) {

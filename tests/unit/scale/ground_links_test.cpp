@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -56,7 +54,6 @@ class FollowedDrive {
     }
   }
   void drive_in_segments() { in_segments_ = true; }
-  void know_turn() { is_turn_known_ = true; }
   void compare(RelativeScale found) {
     const int first = kSeen / 2 + 2, last_before = kLost / 2 - 1;
     FrameRecord compared = made_.run.frames[size_t(next_ - 1)];
@@ -66,7 +63,7 @@ class FollowedDrive {
     reference.keyframe_id = anchored.keyframe_id, reference.median_idepth = 1;
     reference.T_ref_world = anchored.T_cam_ref.inverse() * anchored.T_cam_map;
     frames_.place(compared, 0, reference, anchored.T_cam_ref);
-    if (!in_segments_) log_->append(EpochBegan{0, last_before, first, 0, true, is_turn_known_});
+    if (!in_segments_) log_->append(EpochBegan{0, last_before, first});
     follow();
   }
   // All keyframes that were seen before the doubt, as another focal length shows them.
@@ -148,7 +145,7 @@ class FollowedDrive {
   MapCursor cursor_{log_};
   FrameLog frames_{made_.run.pinhole, log_};
   GroundLinks links_{made_.run.pinhole, std::nullopt, ScaleParams(), log_};
-  bool in_segments_ = false, is_turn_known_ = false;
+  bool in_segments_ = false;
   int next_ = 0, oldest_ = 0;
 };
 
@@ -223,33 +220,6 @@ TEST(GroundLinks, WithoutGroundNothingIsLinked) {
   const edgevo::Run run = drive.finish();
   EXPECT_TRUE(run.constraints.empty());
   EXPECT_FALSE(run.frames[kCompared].evidence.unit->is_linked());
-}
-
-// A camera that looks across its way after it has turned sees no ground under it.
-TEST(GroundLinks, AfterATurnThatAGyroKnowsGroundAsideCountsToo) {
-  constexpr double kAside = 2;  // camera heights
-  test::MadeRun made = drive_with_a_gap(1);
-  const Pinhole& pinhole = made.run.pinhole;
-  for (KeyframeRecord& k : made.run.keyframes)
-    if (k.frame_index >= kSeen)
-      k.points.erase(std::remove_if(k.points.begin(), k.points.end(),
-                                    [&](const EdgePoint& p) {
-                                      const Eigen::Vector3d ray = pinhole.ray(p.px.cast<double>());
-                                      return std::abs(ray.x()) < kAside * ray.y();
-                                    }),
-                     k.points.end());
-  for (const bool is_known : {false, true}) {
-    FollowedDrive drive(made);
-    if (is_known) drive.know_turn();
-    drive.drive_to(kCompared + 1);
-    drive.compare({});
-    drive.drive_to(300);
-    const auto constraints = drive.constraints();
-    ASSERT_EQ(constraints.size(), is_known ? 1u : 0u);
-    if (!is_known) continue;
-    EXPECT_NEAR(constraints[0].scale * kLengths, 1, 0.03);
-    EXPECT_GT(constraints[0].scale_sigma, kGroundSpread) << "it may be higher than that under the way";
-  }
 }
 
 TEST(GroundLinks, WithoutADoubtNothingIsLinked) {

@@ -72,8 +72,6 @@ struct FrameConfidence {
   /// Standard deviation of the logarithm of the unit of length that the map has carried over the last fifty
   /// frames, and the probability that it is off by more than the tolerance of a length.
   double unit_sigma = 0, p_wrong_unit = 0;
-  /// Standard deviation that the newest keyframe has added to it: 0 where the camera moves on.
-  double added_unit_sigma = 0;
   /// The largest contribution, if the motion is doubted.
   Reasons reasons;
 };
@@ -89,12 +87,10 @@ class MotionConfidence {
   /// A new map begins, whose unit is another one.
   void begin_map() {
     unit_variances_.clear();
-    new_variance_ = added_variance_ = 0;
+    new_variance_ = 0;
   }
   /// Adds what the adjustment of a keyframe showed of the unit; it counts from the next frame on.
-  void add_adjustment(const AdjustmentEvidence& adjustment) {
-    new_variance_ += added_variance_ = adjustment.unit_variance;
-  }
+  void add_adjustment(const AdjustmentEvidence& adjustment) { new_variance_ += adjustment.unit_variance; }
 
  private:
   /// A doubt is the mean over so many frames: as long as the motion that counts.
@@ -106,8 +102,7 @@ class MotionConfidence {
   RecentValues decades_{kFrames}, moved_{kFrames}, residuals_{kFrames}, squared_changes_{kFrames};
   // By how much the unit has grown less certain, by frame: variances of its logarithm.
   RecentValues unit_variances_{MotionHistory::kUsualSteps};
-  double new_variance_ = 0;    // since the newest frame
-  double added_variance_ = 0;  // by the newest keyframe
+  double new_variance_ = 0;  // since the newest frame
 };
 
 /// Probability of a right motion given the results of the tests, and that of a cause that none of them sees,

@@ -66,8 +66,6 @@ struct EpochBegan {
   double unit_sigma = 0;
   /// Whether a frame between them is doubtful, or has no pose: else this deviation is all that is wrong.
   bool is_doubted = true;
-  /// Whether a gyro knows how the camera has turned meanwhile.
-  bool is_turn_known = false;
 };
 
 /// A relation was found between keyframes, of whatever epochs.

@@ -35,9 +35,6 @@ struct DoubtEvaluation {
 /// Standard deviation of the logarithm of a ratio of units from which on another comparison is to be made:
 /// nine tenths are within 5 %.
 constexpr double kUnitKnown = 0.03;
-/// Standard deviation of the logarithm of the unit below which a keyframe carries it on, its depths measured
-/// by the motion: it is no keyframe of a pure rotation (run_quality/carried_unit.h).
-constexpr double kUnitCarriedOn = 0.005;
 
 /// Scale of the map of a view, world over map.
 using ScaleOfView = std::function<double(const TrustedReference&)>;

@@ -38,12 +38,6 @@ struct HeightSample {
 /// within a degree of level: the estimate does not depend on the pitch.
 Eigen::Vector3d down_in_camera(const std::optional<SE3>& T_vehicle_cam);
 
-/// Camera heights: ground further ahead, or to a side, than that says little of the height, since pitch or
-/// roll would count.
-constexpr double kFarthestGround = 3;
-/// Spread of the logarithms of heights that are taken for those of one ground: a kerb is twice that.
-constexpr double kGroundSpread = 0.04;
-
 /// Samples from the points of `keyframe`, whose frame must be in `path`, that the camera passes within the
 /// driven corridor (`ground_width`). Points not yet passed are skipped unless `is_path_ended`. Cost: points x
 /// frames until they are passed. `down`: as down_in_camera().

@@ -44,7 +44,6 @@ class GroundLinks {
     size_t marginalised = 0;              // keyframes so far, forgotten ones included
     size_t due = 1;                       // keyframes at which it is measured next
     std::optional<int> constraint;        // to the part before it that shows ground
-    bool looks_aside = false;             // maybe, after a turn that a gyro knows
   };
 
   void handle(const SegmentPlaced& e);
@@ -61,8 +60,7 @@ class GroundLinks {
   void forget_height(Part* part);
   std::vector<Seen> seen_in(const Part& part) const;
   void measure_end(Part* part) const;
-  std::optional<ScaleEstimate> measure(const std::vector<Seen>& keyframes, const ScaleParams& params) const;
-  std::optional<ScaleEstimate> measure_newest(const std::vector<Seen>& keyframes) const;
+  std::optional<ScaleEstimate> measure(const std::vector<Seen>& keyframes) const;
   void link_newest();
 
   const Pinhole pinhole_;
