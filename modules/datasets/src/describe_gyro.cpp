@@ -44,8 +44,7 @@ std::string faults_in_words(const std::vector<GyroSample>& samples) {
   if (gyro.missing() > 0)
     words += formatted(", %d samples missing (%.1f %%)", gyro.missing(), 100 * gyro.missing_share());
   if (gyro.spikes() > 0) words += formatted(", %d spikes", gyro.spikes());
-  constexpr double kStuckS = 0.1;
-  if (repeated_s > kStuckS) words += formatted(", stuck for %.1f s", repeated_s);
+  if (repeated_s >= kStuckS) words += formatted(", stuck for %.1f s", repeated_s);
   return words;
 }
 

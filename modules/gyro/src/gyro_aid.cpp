@@ -59,9 +59,7 @@ std::string GyroAid::describe_missing() const {
   return formatted("%.0f %% of its samples are missing", 100 * gyro_.missing_share());
 }
 
-// A coarse gyro repeats its rates for some samples, and one at rest for as long as it rests.
 void GyroAid::note_stuck(Timestamp time) {
-  constexpr double kStuckS = 1;
   if (!stuck_.empty() || gyro_.repeated_s() < kStuckS) return;
   stuck_ = formatted("stuck: it has repeated its rates for %.1f s at ", gyro_.repeated_s()) +
            to_string(time) + " s";

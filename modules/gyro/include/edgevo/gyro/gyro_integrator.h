@@ -16,6 +16,9 @@
 
 namespace edgevo {
 
+/// Seconds for which a gyro that turns repeats its rates if it is stuck: a coarse one does for some samples.
+constexpr double kStuckS = 1;
+
 /// What is wrong with the rates of a gyro, the same for all samples.
 struct GyroErrors {
   /// Rate that it shows at rest, rad/s.
