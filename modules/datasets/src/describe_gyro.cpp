@@ -44,6 +44,8 @@ std::string faults_in_words(const std::vector<GyroSample>& samples) {
   if (gyro.missing() > 0)
     words += formatted(", %d samples missing (%.1f %%)", gyro.missing(), 100 * gyro.missing_share());
   if (gyro.spikes() > 0) words += formatted(", %d spikes", gyro.spikes());
+  if (const ClippedRates* axis = gyro.clipped())
+    words += formatted(", clipped at %.3g degrees/s (%.1f %%)", deg(axis->limit()), 100 * axis->share());
   if (repeated_s >= kStuckS) words += formatted(", stuck for %.1f s", repeated_s);
   return words;
 }

@@ -42,6 +42,7 @@ GyroAid::GyroAid(const std::optional<GyroModel>& known) : next_calibration_(kFir
 void GyroAid::add(const GyroSample& sample) {
   gyro_.add(sample);
   note_missing();
+  note_clipped();
   if (gyro_.repeated_s() == 0) stuck_.clear();
   if (!gyro_.rests(sample.rate)) note_stuck(sample.time);
 }
@@ -53,6 +54,14 @@ void GyroAid::note_missing() {
   if (names_missing_ || gyro_.missing() < kEnough || gyro_.missing_share() < kNamedShare) return;
   names_missing_ = true;
   reports_.push_back("gyro: " + describe_missing());
+}
+
+void GyroAid::note_clipped() {
+  const ClippedRates* axis = names_clipped_ ? nullptr : gyro_.clipped();
+  if (!axis) return;
+  names_clipped_ = true;
+  reports_.push_back(formatted("gyro: its rates end at %.3g degrees/s, the limit of its range",
+                               deg(gyro_.unit() * axis->limit())));
 }
 
 std::string GyroAid::describe_missing() const {

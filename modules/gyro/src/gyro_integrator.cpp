@@ -29,6 +29,31 @@ Eigen::Vector3d between(const S& a, const S& b, double t) {
 
 }  // namespace
 
+void ClippedRates::add(double rate) {
+  constexpr double kBelow = 0.9;  // a turn is as long at its largest rate, within rounding, as between
+  const double magnitude = std::abs(rate);
+  ++rates_;
+  if (magnitude > limit_) {
+    below_ = limit_ >= kBelow * magnitude ? below_ + at_limit_ : 0;
+    limit_ = magnitude, at_limit_ = 1;
+  } else if (magnitude == limit_) {
+    ++at_limit_;
+  } else if (magnitude >= kBelow * limit_) {
+    ++below_;
+  }
+}
+
+bool ClippedRates::is_clipped() const {
+  // Without rates just below, the sensor rounds coarsely. A tenth of a second of a slow one is chance.
+  constexpr int kEnough = 20;
+  return below_ > 0 && at_limit_ >= kEnough && at_limit_ > 2 * below_;
+}
+
+const ClippedRates* GyroIntegrator::clipped() const {
+  const auto axis = std::find_if(axes_.begin(), axes_.end(), [](const auto& a) { return a.is_clipped(); });
+  return axis == axes_.end() ? nullptr : &*axis;
+}
+
 bool GyroIntegrator::add(const GyroSample& sample) {
   if (!first_) first_ = sample.time;
   const double t = seconds(sample.time);
@@ -38,6 +63,7 @@ bool GyroIntegrator::add(const GyroSample& sample) {
   if (!repeats) repeated_since_ = t;
   repeated_s_ = t - repeated_since_;
   if (repeats && !rests(sample.rate)) return false;
+  for (int i = 0; i < 3; ++i) axes_[size_t(i)].add(sample.rate[i]);
   weigh_newest(t, unit_ * sample.rate);
   Sample next{t, unit_ * sample.rate, Eigen::Vector3d::Zero()};
   if (!samples_.empty()) {

@@ -3,6 +3,7 @@
 // named, and what can be followed is followed.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -145,6 +146,26 @@ TEST(GyroFaults, ASingleWrongImageIsNoChange) {
   }
   EXPECT_LT(deg((aid.model()->errors.bias - before).norm()), 0.1);
   EXPECT_THAT(aid.statement(), ::testing::Not(HasSubstr("changed")));
+}
+
+// Turns to and fro at up to 1 rad/s, which `shown` changes as a sensor does.
+const ClippedRates* clipped_rates_of(GyroIntegrator* gyro, double (*shown)(double)) {
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 0.005 * i, rate = shown(std::sin(3 * t));
+    gyro->add({Timestamp::from_seconds(t), {rate, 0.3 * std::cos(2 * t), 0.2 * std::sin(t)}});
+  }
+  return gyro->clipped();
+}
+
+TEST(GyroIntegrator, RatesThatEndAtTheLimitOfTheRangeAreClipped) {
+  GyroIntegrator clipped, whole, coarse, rough;
+  const ClippedRates* axis = clipped_rates_of(&clipped, [](double r) { return std::clamp(r, -0.8, 0.8); });
+  ASSERT_TRUE(axis);
+  EXPECT_DOUBLE_EQ(axis->limit(), 0.8);
+  EXPECT_NEAR(axis->share(), 0.41, 0.03);
+  EXPECT_FALSE(clipped_rates_of(&whole, [](double r) { return r; }));
+  EXPECT_FALSE(clipped_rates_of(&coarse, [](double r) { return std::round(r / 0.02) * 0.02; }));
+  EXPECT_FALSE(clipped_rates_of(&rough, [](double r) { return std::round(r / 0.3) * 0.3; }));
 }
 
 TEST(GyroIntegrator, ASpikeIsRemovedAndAHardTurnIsNot) {

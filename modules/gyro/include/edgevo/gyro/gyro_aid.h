@@ -83,6 +83,7 @@ class GyroAid {
   bool is_noisy() const;
   std::string describe_noise() const;
   std::string describe_missing() const;
+  void note_clipped();
   std::string describe_samples() const;
 
   GyroIntegrator gyro_;
@@ -92,10 +93,10 @@ class GyroAid {
   std::deque<Compared> compared_;
   std::optional<SeenTurn> last_;
   bool was_observed_ = false, checks_change_ = false;
-  bool names_noise_ = false, names_missing_ = false;  // said already
-  std::string changed_;                               // when and how it has changed last
-  std::string stuck_;                                 // since when it repeats its rates
-  std::string fault_;                                 // why it is not used; empty: none
+  bool names_noise_ = false, names_missing_ = false, names_clipped_ = false;  // said already
+  std::string changed_;  // when and how it has changed last
+  std::string stuck_;    // since when it repeats its rates
+  std::string fault_;    // why it is not used; empty: none
   std::vector<std::string> reports_;
 };
 

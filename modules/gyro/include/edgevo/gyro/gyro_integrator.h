@@ -8,6 +8,7 @@
 // for the measured rate m, the bias b and the errors s of the three scales. Errors are delta in
 // R <- exp(delta) R.
 #include <Eigen/Geometry>
+#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -25,6 +26,24 @@ struct GyroErrors {
   Eigen::Vector3d bias = Eigen::Vector3d::Zero();
   /// True rate over shown rate, less 1, for each axis.
   Eigen::Vector3d scale = Eigen::Vector3d::Zero();
+};
+
+/// Whether the rates of one axis end at the limit of the sensor's range: counts those at the largest
+/// magnitude so far and those just below.
+class ClippedRates {
+ public:
+  /// Takes the next rate, as measured.
+  void add(double rate);
+  /// Whether they do.
+  bool is_clipped() const;
+  /// The largest magnitude so far, as measured.
+  double limit() const { return limit_; }
+  /// Share of all rates that are there, 0 to 1.
+  double share() const { return rates_ > 0 ? double(at_limit_) / rates_ : 0; }
+
+ private:
+  double limit_ = 0;
+  int rates_ = 0, at_limit_ = 0, below_ = 0;
 };
 
 /// Rotation between two times, in the axes of the gyro.
@@ -59,6 +78,9 @@ class GyroIntegrator {
   bool rests(const Eigen::Vector3d& rate) const;
   /// For how long the rates have been the same, seconds.
   double repeated_s() const { return repeated_s_; }
+  /// The axis whose rates end at a limit of the sensor, if one has so far: where they pass through their
+  /// largest values, they are there more often than just below.
+  const ClippedRates* clipped() const;
   /// Multiplies all rates from now on: the unit, rad/s.
   void set_unit(double rad_per_unit);
   /// The unit of the rates as measured, rad/s.
@@ -110,6 +132,7 @@ class GyroIntegrator {
   void forget();
 
   std::deque<Sample> samples_;
+  std::array<ClippedRates, 3> axes_;
   std::deque<double> gaps_;  // times of samples that come after a gap
   std::optional<Timestamp> first_;
   double unit_ = 1, noise_ = 0, step_ = 0, repeated_s_ = 0, repeated_since_ = 0;
