@@ -23,6 +23,8 @@ mkdir folder
 head -c 3000 "$desk/images/000000.png" >torn.png
 head -c 100000 /dev/urandom >noise
 
+run "is the folder of a run, not of images; read its summary.yaml" "$result"
+
 # Cameras.
 camera() { run "$1" "$desk" --camera "$2"; }
 camera "zero: cannot be read: it is a device or a pipe" /dev/zero

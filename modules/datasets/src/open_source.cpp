@@ -109,6 +109,16 @@ std::unique_ptr<ImageSource> open_ros_recording(const SourceOptions& options) {
   return open_recording_source(options);
 }
 
+// The folder that a run wrote; its grid.pgm is no image of a camera.
+void refuse_results(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* file : {"summary.yaml", "frames.csv"})
+    if (!fs::is_regular_file(folder / file, ignored)) return;
+  throw InputError(folder.string(), "is the folder of a run, not of images",
+                   "read its summary.yaml and report.html; `edgevo info " + (folder / "map.db").string() +
+                       "` shows its map");
+}
+
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
   const bool is_live = options.path.rfind(kLiveCamera, 0) == 0;
@@ -129,7 +139,10 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (is_ros) return open_ros_recording(options);
-  if (fs::is_directory(options.path, ignored)) return open_folder(options);
+  if (fs::is_directory(options.path, ignored)) {
+    refuse_results(options.path);
+    return open_folder(options);
+  }
   if (!fs::is_regular_file(options.path, ignored))
     throw InputError(options.path, "is a device or a pipe, not a file",
                      "give a file or a folder; a live camera is camera:N");

@@ -255,6 +255,9 @@ void check_finished(const KeptMap& map, const std::string& file) {
   if (!map.is_finished)
     throw InputError(file, "was left by a run that did not end: its places are not final",
                      "`edgevo finish` with the folder of that run ends it");
+  if (map.store.keyframes().empty())
+    throw InputError(file, "has no keyframe that can be read: it is damaged, cut off or empty",
+                     "give the map of another run");
 }
 
 }  // namespace

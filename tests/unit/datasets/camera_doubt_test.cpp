@@ -34,6 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
             "matrix_of_twice_the_image", {{1414.2, 1414.2, 1203.8, 366.2, 1226, 370}}, "of about 2409x733"},
         Doubted{"sides_exchanged", {{500, 500, 320, 240, 480, 640}}, "middle of 640x480"},
         Doubted{"centre_near_the_border", {{707, 707, 1100, 183, 1226, 370}}, "far from the middle"},
+        Doubted{"centre_aside", {{718.9, 718.9, 687.2, 185.2, 1241, 376}}, "far from the middle"},
         Doubted{"half_the_focal_length", {{300, 300, 601, 183, 1226, 370}}, "A view of 128 degrees"},
         Doubted{"telescope", {{12572, 12572, 320, 240, 640, 480}}, "A view of 3 degrees"},
         Doubted{"stretched", {{707, 540, 601, 183, 1226, 370}}, "fx and fy differ by 31 %"},

@@ -193,7 +193,7 @@ void write_marked_video(const std::string& path, int quarter_turns) {
 // The principal point of the file is in the bright quarter: it must be there in the turned image, too.
 TEST_F(Video, OfATurnedTelephoneHasATurnedCamera) {
   options_.path = folder_ / "clip.mp4";
-  test::write_text(folder_ / "camera.txt", "60 58 38 12 0 0 0.001 0.002 64 32");
+  test::write_text(folder_ / "camera.txt", "60 58 34 14 0 0 0.001 0.002 64 32");
   for (int turns = 0; turns < 4; ++turns) {
     write_marked_video(options_.path, turns);
     const auto source = open_source(options_);

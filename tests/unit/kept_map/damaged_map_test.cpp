@@ -72,6 +72,12 @@ TEST_F(DamagedMap, NothingThatIsAMap) {
   EXPECT_THAT(message(), HasSubstr("map.db: is a database of something else; give"));
 }
 
+TEST_F(DamagedMap, OneWithoutAKeyframeIsOfNoUse) {
+  execute(path_, "DELETE FROM keyframes");
+  EXPECT_THAT(message_of([&] { read_finished_map(path_); }),
+              HasSubstr("map.db: has no keyframe that can be read: it is damaged, cut off or empty; give"));
+}
+
 TEST_F(DamagedMap, NewerVersionsAreRefused) {
   execute(path_, "PRAGMA user_version=7");
   EXPECT_THAT(message(), HasSubstr("map.db: is a map of version 7, this edgevo reads up to 1; read it with"));
