@@ -63,7 +63,8 @@ int main(int argc, char** argv) {
   edgevo::app::add_help_command(app);
   app.footer(
       "Exit codes: 0 done; 1 nothing found (`mask`); 2 bad usage or bad input; 3 finished, but tracking "
-      "failed for most of the sequence, or more than a quarter of its poses are doubtful.");
+      "failed for most of the sequence, or more than a quarter of its poses are doubtful or in a place that "
+      "is a guess.");
   std::vector<char*> words = edgevo::app::help_as_option(app, argc, argv);
   try {
     if (argc == 3 && std::string(argv[1]) == "--write-help") {  // for the build

@@ -61,7 +61,7 @@ Trial trial_of(const Run& run, double cpu_s) {
   trial.frames = counts.frames;
   trial.segments = counts.segments;
   trial.doubtful_frames = counts.doubtful;
-  trial.has_failed = counts.mostly_failed() || counts.is_largely_doubtful();
+  trial.has_failed = counts.mostly_failed() || counts.is_largely_untrusted();
   for (const FrameRecord& frame : run.frames)
     for (const auto& [stage, ms] : frame.stage_ms)
       (is_tracking(stage) ? trial.track_ms : trial.map_ms) += ms / trial.frames;

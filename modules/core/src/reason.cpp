@@ -60,7 +60,7 @@ const char* pattern_of(ReasonKind kind) {
       return "looked for in the kept map first";
     case ReasonKind::kMayBeEgoPart:
       return "what moves may not be the scene, the camera seems to stand, or a part is fixed to it: "
-             "the map waits";
+             "the map waits (--mask names what is fixed)";
     case ReasonKind::kStands:
       return "the camera seems to stand: move it, or mask what is fixed to it (--mask)";
     case ReasonKind::kDiverged:

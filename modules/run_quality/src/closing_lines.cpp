@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/formatted.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/run_quality/guessed_places.h"
@@ -28,6 +29,32 @@ void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
     lines->push_back({"NOT TO BE TRUSTED: " + line, true});
 }
 
+// A warning if they are a quarter of all.
+void add_without_pose(const Run& run, std::vector<ClosingLine>* lines) {
+  const auto lacking = size_t(std::count_if(run.frames.begin(), run.frames.end(), [](const FrameRecord& f) {
+    return !f.T_world_cam && !is_doubtful(f);
+  }));
+  const std::string reason = commonest_lack(run);
+  if (!reason.empty())
+    lines->push_back(
+        {formatted("%zu frames have no pose; mostly: ", lacking) + reason, 4 * lacking >= run.frames.size()});
+}
+
+// What the exit code says, too.
+std::string problem_of(const RunCounts& n, const std::string& what) {
+  if (n.mostly_failed()) return "tracking failed for most of " + what;
+  const std::string of = " of " + std::to_string(n.with_pose) + " poses of " + what;
+  if (n.is_largely_doubtful()) return std::to_string(n.doubtful_poses()) + of + " are doubtful";
+  return std::to_string(n.doubtful_poses() + n.guessed) + of + " are doubtful or in a place that is a guess";
+}
+
+std::string reason_of(const Run& run, const RunCounts& n) {
+  const std::string reason = commonest_doubt(run);
+  if (!reason.empty()) return reason;
+  return n.with_pose == 0 ? "the images ended before there was a map"
+                          : "nothing links them to what was before";
+}
+
 // Decided by the rest of the run, so that who reads it should be able to look.
 void add_mistaken(const Run& run, std::vector<ClosingLine>* lines) {
   const auto mistaken = std::count_if(run.constraints.begin(), run.constraints.end(),
@@ -49,6 +76,7 @@ std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, b
                              n.frames, n.with_pose, n.doubtful, n.segments, n.keyframes, n.points, n.lines) +
                    run.scale_source});
   add_doubtful(run, &lines);
+  add_without_pose(run, &lines);
   for (const std::string& line : links_in_words(run)) lines.push_back({line});
   add_mistaken(run, &lines);
   for (const std::string& fault : scale_faults_in_words(run)) lines.push_back({"scale: " + fault, true});
@@ -66,13 +94,8 @@ std::vector<ClosingLine> closing_lines(const Run& run, const std::string& out, b
 std::optional<std::string> failure_statement(const Run& run, const std::string& what,
                                              const std::string& earlier) {
   const RunCounts n = count(run);
-  if (!n.mostly_failed() && !n.is_largely_doubtful()) return std::nullopt;
-  const std::string reason = commonest_doubt(run);
-  const std::string problem = n.mostly_failed()
-                                  ? "tracking failed for most of " + what
-                                  : std::to_string(n.doubtful_poses()) + " of " +
-                                        std::to_string(n.with_pose) + " poses of " + what + " are doubtful";
-  return problem + "; mostly: " + (reason.empty() ? "no reason was noted" : reason) +
+  if (!n.mostly_failed() && !n.is_largely_untrusted()) return std::nullopt;
+  return problem_of(n, what) + "; mostly: " + reason_of(run, n) +
          (earlier.empty() ? "" : "; the earlier run is kept in " + earlier);
 }
 

@@ -154,4 +154,11 @@ std::string commonest_doubt(const Run& run) {
   return reasons.commonest();
 }
 
+std::string commonest_lack(const Run& run) {
+  ReasonCounts reasons;
+  for (const FrameRecord& frame : run.frames)
+    if (!frame.T_world_cam && !is_doubtful(frame)) reasons.add(frame);
+  return reasons.commonest();
+}
+
 }  // namespace edgevo

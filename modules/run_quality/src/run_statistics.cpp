@@ -6,8 +6,24 @@
 
 #include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/output_file.h"
+#include "edgevo/run_quality/guessed_places.h"
 
 namespace edgevo {
+namespace {
+
+int frames_in_guessed_places(const Run& run) {
+  const std::vector<GuessedPlace> guessed = guessed_places(run);
+  const auto is_guessed = [&](const FrameRecord& frame) {
+    return std::any_of(guessed.begin(), guessed.end(), [&](const GuessedPlace& g) {
+      return frame.index >= g.first_frame && frame.index <= g.last_frame;
+    });
+  };
+  return int(std::count_if(run.frames.begin(), run.frames.end(), [&](const FrameRecord& frame) {
+    return frame.T_world_cam && !is_doubtful(frame) && is_guessed(frame);
+  }));
+}
+
+}  // namespace
 
 RunCounts count(const Run& run) {
   RunCounts counts;
@@ -18,6 +34,7 @@ RunCounts count(const Run& run) {
     counts.doubtful += is_doubtful(frame);
     counts.segments = std::max(counts.segments, frame.segment + 1);
   }
+  counts.guessed = frames_in_guessed_places(run);
   counts.keyframes = int(run.keyframes.size());
   for (const KeyframeRecord& keyframe : run.keyframes) {
     counts.doubtful_keyframes += keyframe.is_doubtful;

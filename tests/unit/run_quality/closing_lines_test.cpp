@@ -59,6 +59,34 @@ TEST(ClosingLines, AGuessedPlaceIsNotToBeTrustedUpToTheEnd) {
   EXPECT_EQ(closing_lines(run, "out").size(), 2u);
 }
 
+TEST(FailureStatement, CountsPlacesThatAreAGuess) {
+  edgevo::Run run = run_in_two_segments({"equal speed", 0.5});
+  EXPECT_EQ(failure_statement(run, "it", ""),
+            "4 of 10 poses of it are doubtful or in a place that is a guess; mostly: nothing links them to "
+            "what was "
+            "before");
+  run.constraints.push_back({"features", 3, 8, 1, 0.1, true});
+  EXPECT_FALSE(failure_statement(run, "it", ""));
+  EXPECT_FALSE(failure_statement(run_in_two_segments({"views of both maps", 0.03}), "it", ""));
+}
+
+TEST(FailureStatement, NamesTheEndOfTheImagesWhereNothingElseWasNoted) {
+  edgevo::Run run = run_with_poses(1, 0);
+  run.frames[0].reasons = {{ReasonKind::kFirstView}};
+  run.frames[0].note = "first view taken";
+  EXPECT_EQ(failure_statement(run, "it", ""),
+            "tracking failed for most of it; mostly: the images ended before there was a map");
+}
+
+TEST(ClosingLines, SayWhyFramesHaveNoPose) {
+  edgevo::Run run = run_with_poses(10, 8);
+  for (size_t i = 8; i < 10; ++i) run.frames[i].state = TrackingState::kBootstrapping;
+  EXPECT_EQ(closing_lines(run, "out")[1].text, "2 frames have no pose; mostly: few edges");
+  EXPECT_FALSE(closing_lines(run, "out")[1].is_warning);
+  run.frames[7].T_world_cam.reset();
+  EXPECT_TRUE(closing_lines(run, "out")[1].is_warning) << "a quarter of them";
+}
+
 TEST(ClosingLines, WhatAPlaceRestsOnAfterALossIsSaid) {
   edgevo::Run run = run_in_two_segments({"views of both maps", 0.028});
   const std::vector<ClosingLine> lines = closing_lines(run, "out");

@@ -50,4 +50,7 @@ std::string to_string(const DoubtfulInterval& interval);
 /// if there is none.
 std::string commonest_doubt(const Run& run);
 
+/// Likewise of the frames without a pose that are in no interval of doubtful ones, as before the first map.
+std::string commonest_lack(const Run& run);
+
 }  // namespace edgevo

@@ -21,6 +21,8 @@ struct RunCounts {
   int lost = 0;
   /// Number of doubtful frames (core/doubtful_frame.h), LOST ones included.
   int doubtful = 0;
+  /// Number of frames that are not doubtful by themselves, but whose place is a guess (guessed_places.h).
+  int guessed = 0;
   /// Number of doubtful keyframes (KeyframeRecord::is_doubtful).
   int doubtful_keyframes = 0;
   /// Number of connected segments of trajectory.
@@ -39,6 +41,8 @@ struct RunCounts {
   /// Whether more than a quarter of the poses are doubtful. At most 2 % of right ones are, and a run that is
   /// right has never had more than a fifth (lab 2026-11-26_trust).
   bool is_largely_doubtful() const { return 4 * doubtful_poses() > with_pose; }
+  /// Whether more than a quarter of the poses are doubtful or in a place that is a guess.
+  bool is_largely_untrusted() const { return 4 * (doubtful_poses() + guessed) > with_pose; }
 };
 /// Counts the contents of a run.
 RunCounts count(const Run& run);
