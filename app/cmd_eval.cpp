@@ -84,9 +84,17 @@ int eval_lines(const EvalArguments& args, const EvalMap& eval_map) {
   return eval_map(request);
 }
 
+void refuse_options_of_maps(const EvalArguments& args) {
+  const MapEvaluationRequest& map = args.map;
+  if (map.why || !map.page.empty() || !map.picture.empty() || map.seed)
+    throw InputError(args.trajectory, "is no map: --why, --page, --picture and --seed are for edges.ply",
+                     "give OUT/edges.ply and its scene, or omit them");
+}
+
 int run_eval(const EvalArguments& args, const ReadTruth& truth_of_source, const EvalRuns& eval_runs,
              const EvalMap& eval_map) {
   if (is_map(args.trajectory)) return eval_lines(args, eval_map);
+  refuse_options_of_maps(args);
   EvaluationOptions options;
   if (args.frames_total > 0) options.frames_total = args.frames_total;
   if (is_run(args.trajectory)) return eval_folders(args, options, eval_runs);
@@ -163,6 +171,10 @@ void add_eval_command(CLI::App& app, Action* action, ReadTruth truth_of_source, 
       "for edges.ply: PNG of one frame; edges in the map green, missing ones red, lines at no edge blue");
   cmd->add_option("--picture-frame", args->map.picture_frame, "frame of the picture (default 0)")
       ->check(whole_number(0));
+  cmd->add_flag("--why", args->map.why,
+                "for edges.ply: also why edges are missing, which takes some seconds for 100 frames");
+  cmd->add_option("--page", args->map.page,
+                  "for edges.ply: HTML page with all figures, why edges are missing, and pictures");
   add_reading_options(*cmd, "", "TRAJECTORY", &args->reading);
   add_reading_options(*cmd, "truth-", "GROUNDTRUTH", &args->truth_reading);
   cmd->callback([=] { *action = [=] { return run_eval(*args, truth_of_source, eval_runs, eval_map); }; });

@@ -37,6 +37,10 @@ struct MapEvaluationRequest {
   /// Frame to draw, and the PNG to draw it into; "": none.
   int picture_frame = 0;
   std::string picture;
+  /// HTML page to write; "": none.
+  std::string page;
+  /// Whether to say why edges are missing.
+  bool why = false;
   bool json = false;
 };
 /// Compares a map with its scene and prints; returns the exit code.

@@ -39,6 +39,16 @@ check "ATE of the folder" "$(grep -c '^ATE RMSE' stdout)" -eq 2
 check "frames evaluated, live and final" "$(awk '($1 == "live" || $1 == "final") && $2 > 40 { n += $3 == 0 && $4 == "-" } END { print n }' stdout)" -eq 2
 run_code 0 "$edgevo" eval $out "$scenes/runs/desk"
 check "rows of two runs and of both" "$(grep -c "^$out \|/runs/desk \|^all " stdout)" -eq 3
+# The map against the rendered scene: figures, why edges are missing, a page of its own.
+run_code 0 "$edgevo" eval $out/edges.ply street --why --page map.html --picture map.png
+check "rows of the map's table" "$(grep -c '^within 10 m \|^kerbs \|^poles \|^along the motion \|^no line of it ' stdout)" -ge 6
+check "pictures of the map's page" "$(grep -c '<img' map.html)" -eq 6
+check "references to other files in the map's page" "$(grep -c -i -E '(src|href)="[^d#]|url\(|@import|<link|https?:' map.html)" -eq 0
+check "bytes of the picture" "$(wc -c <map.png)" -gt 10000
+complains "SCENE: is missing" "$edgevo" eval $out/edges.ply
+complains "no_such_scene" "$edgevo" eval $out/edges.ply no_such_scene --page other.html
+check "pages after a mistake" "$(ls other.html 2>/dev/null | wc -l)" -eq 0
+complains "is no map: --why" "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt" --why
 complains "GROUNDTRUTH: is missing" "$edgevo" eval $out/trajectory_tum.txt
 complains "is no folder of a run" "$edgevo" eval $out/trajectory_tum.txt "$sequence/groundtruth_tum.txt" --truth-sigma-m 0.1
 

@@ -61,7 +61,7 @@ class DepthSearch {
     for (int k = 0; k <= steps; ++k) {
       const int i = chain.begin + (k > 0 ? k * last / steps : 0);
       look_from(i);
-      ChainNode node;
+      ChainNode node = spare_node();
       node.edge_pixel = i;
       node.at = i - chain.begin;
       reached(i, EdgeStage::kNoCrossing);
@@ -93,10 +93,7 @@ class DepthSearch {
 
   void try_out(double idepth, Guess guess, ChainNode* node) const {
     const Hypothesis h = weigh(sight_, set_, idepth, guess, max_idepth_, params_);
-    if (is_supported(h) && h.informative > 0) {
-      if (node->hypotheses.empty()) node->hypotheses.reserve(kMaxHypotheses);
-      node->hypotheses.push_back(h);
-    }
+    if (is_supported(h) && h.informative > 0) node->hypotheses.push_back(h);
     reached(node->edge_pixel, h.views < params_.min_views ? EdgeStage::kFewViews
                               : !is_supported(h)          ? EdgeStage::kNoSupport
                               : h.informative == 0        ? EdgeStage::kNoMotion
@@ -183,7 +180,18 @@ class DepthSearch {
       bridge(&chain);
       chains_.push_back(std::move(chain));
     }
+    for (ChainNode& node : *nodes) spare_.push_back(std::move(node.hypotheses));
     nodes->clear();
+  }
+
+  // With the memory of an earlier one.
+  ChainNode spare_node() {
+    ChainNode node;
+    if (spare_.empty()) return node;
+    node.hypotheses = std::move(spare_.back());
+    node.hypotheses.clear();
+    spare_.pop_back();
+    return node;
   }
 
   void smooth_piece(const std::vector<ChainNode>& nodes, const std::vector<int>& label, size_t begin,
@@ -232,7 +240,8 @@ class DepthSearch {
       return NodeEvidence{h, h.information > 0 ? kCommonPx / mean_slope(h) : max_idepth_,
                           h.views >= params_.min_views};
     };
-    const CompareDepths compare_depths = [this](double idepth, double own) {
+    const CompareDepths compare_depths = [this](const FinalNode& s, double idepth, double own) {
+      look_from(s.node.edge_pixel);
       return log_likelihood_ratio(sight_, set_, idepth, own, max_idepth_, params_);
     };
     edgevo::lay_on_planes(level_.edges, {max_idepth_, params_.max_relative_sigma}, weigh_node, compare_depths,
@@ -278,6 +287,7 @@ class DepthSearch {
   const std::vector<double>& known_;  // inverse depths of earlier lines by edge pixel, 0: none; or empty
   ViewSet set_;
   EdgeSight sight_;  // of the current pixel
+  std::vector<std::vector<Hypothesis>> spare_;
   std::vector<FinalChain> chains_;
   std::vector<EdgePiece> pieces_;
 };

@@ -8,6 +8,7 @@
 #include "depth_evidence.h"
 #include "edgevo/core/depth_source.h"
 #include "edgevo/core/order_statistics.h"
+#include "edgevo/core/simd.h"
 #include "edgevo/map/run_builder.h"
 #include "straight_line.h"
 #include "view_poses.h"
@@ -24,12 +25,9 @@ struct KnownDepth {
 namespace {
 
 constexpr int kFusionKeyframes = 12;  // number of later keyframes that lines are compared with
-constexpr double kSeenBorderPx = 4;   // a vertex closer to the image border may not be visible
 constexpr double kAcrossPx = 1.5;     // from a projected vertex to the edge that it is
 constexpr double kSeenAlongPx = 2.5;
 constexpr double kInFront = 1.1;  // ratio of inverse depths: of two lines at one pixel the nearer is visible
-// Depth in the keyframe over that in the host, below which a vertex is too near the camera, or behind it.
-constexpr double kMinDepthRatio = 0.05;
 // A new depth replaces a known one if its standard deviation is below this share.
 constexpr double kMuchBetter = 0.75;
 // A vertex is confirmed by a second keyframe with the same depth, by the plane that it lies on, or, if its
@@ -38,7 +36,6 @@ constexpr double kMuchBetter = 0.75;
 // motion.
 constexpr int kMinSeen = 2, kManyViews = 6;
 constexpr double kSureShare = 0.007;
-constexpr size_t kCloudPoints = 1000;  // that views are aligned to: with 100 half of the gain is lost
 constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
 constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
@@ -59,11 +56,14 @@ bool is_at_edge(const ViewGeometry& view, const Eigen::Vector2d& normal, const E
 
 // A vertex of an earlier line where a keyframe should see it.
 struct EdgeFusion::Sighting {
+  bool is_in_view = false;
+  Eigen::Vector2d px;
   // The edge pixel of the keyframe; -1: there is none.
   int pixel = -1;
   KnownDepth depth;
 
-  bool is_missed() const { return pixel < 0; }
+  bool is_seen() const { return is_in_view && pixel >= 0; }
+  bool is_missed() const { return is_in_view && pixel < 0; }
 };
 
 // The edge pixels of a keyframe that lines of earlier keyframes explain.
@@ -128,37 +128,6 @@ std::vector<EdgeFusion::Line> EdgeFusion::find_lines(const EdgeHost& host,
   return lines;
 }
 
-// Some vertices of the lines so far that lie in the image of the host, evenly from all.
-std::vector<CloudPoint> EdgeFusion::cloud_for(const EdgeHost& host) const {
-  std::vector<CloudPoint> points;
-  for (const OpenHost& open : open_) {
-    const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
-    const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
-    for (const Line& line : open.lines)
-      for (const Vertex& v : line) add_to_cloud(view, v, &points);
-  }
-  const size_t step = 1 + points.size() / kCloudPoints;
-  size_t kept = 0;
-  for (size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
-  points.resize(kept);
-  return points;
-}
-
-void EdgeFusion::add_to_cloud(const ViewGeometry& view, const Vertex& v,
-                              std::vector<CloudPoint>* points) const {
-  if (v.is_replaced || v.missed >= v.seen) return;
-  const SightLine ray(view, v.vertex.px.cast<double>());
-  const double idepth = double(v.vertex.idepth), depth_ratio = ray.depth(idepth);
-  if (!(depth_ratio > kMinDepthRatio)) return;
-  CloudPoint p;
-  const Eigen::Vector2d px = ray.at(idepth);
-  if (!pinhole_.contains(px, kSeenBorderPx)) return;
-  p.ray = pinhole_.ray(px), p.px = px.cast<float>();
-  p.idepth = idepth / depth_ratio, p.idepth_sigma = double(v.vertex.idepth_sigma) / depth_ratio;
-  p.normal = (view.turn * v.normal.cast<double>()).cast<float>();
-  points->push_back(p);
-}
-
 // Pixels that no earlier line explains as well become lines of this keyframe, extended by one vertex at each
 // end.
 void EdgeFusion::add_new_lines(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
@@ -216,34 +185,47 @@ void EdgeFusion::project_line(const EdgeHost& host, const OpenHost& open, Line* 
   const PyramidLevel& level = host.pyramid->finest();
   const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
   const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
-  std::optional<Sighting> before;
-  for (Vertex& v : *line) {
-    std::optional<Sighting> here;
-    if (!v.is_replaced) here = sight(level, view, v);
-    if (here && here->is_missed()) {
-      explained->missed.push_back(&v);
-      here.reset();
-    }
-    if (here) explained->mark(here->pixel, here->depth, &v);
-    if (here && before) explained->bridge(level.edges, *before, *here, &v);
-    before = here;
+  const std::vector<Sighting> sightings = sight(level, view, *line);
+  for (size_t i = 0; i < line->size(); ++i) {
+    const Sighting& here = sightings[i];
+    Vertex* v = &(*line)[i];
+    if (here.is_missed()) explained->missed.push_back(v);
+    if (!here.is_seen()) continue;
+    explained->mark(here.pixel, here.depth, v);
+    if (i > 0 && sightings[i - 1].is_seen()) explained->bridge(level.edges, sightings[i - 1], here, v);
   }
 }
 
-// Empty if the vertex cannot be seen.
-std::optional<EdgeFusion::Sighting> EdgeFusion::sight(const PyramidLevel& level, const ViewGeometry& view,
-                                                      const Vertex& v) const {
-  const SightLine line(view, v.vertex.px.cast<double>());
-  const double idepth = double(v.vertex.idepth), depth_ratio = line.depth(idepth);
-  if (!(depth_ratio > kMinDepthRatio)) return std::nullopt;
-  const Eigen::Vector2d p = line.at(idepth);
-  if (!pinhole_.contains(p, kSeenBorderPx)) return std::nullopt;
-  const int pixel = level.field.nearest(float(p.x()), float(p.y()));
-  if (pixel < 0 || !is_at_edge(view, v.normal.cast<double>(), p, level.edges.pixels[size_t(pixel)]))
-    return Sighting{};
-  // z' = z (h + rho e)_z: the inverse depth and its standard deviation in this keyframe.
-  return Sighting{
-      pixel, {idepth / depth_ratio, double(v.vertex.idepth_sigma) / depth_ratio, line.h.z(), line.e.z()}};
+// Of all vertices of a line: what is read lies nowhere near in memory, so that they wait for it together.
+std::vector<EdgeFusion::Sighting> EdgeFusion::sight(const PyramidLevel& level, const ViewGeometry& view,
+                                                    const Line& line) const {
+  std::vector<Sighting> all(line.size());
+  for (size_t i = 0; i < line.size(); ++i) {
+    const Vertex& v = line[i];
+    const SightLine ray(view, v.vertex.px.cast<double>());
+    const double idepth = double(v.vertex.idepth), depth_ratio = ray.depth(idepth);
+    if (v.is_replaced || !(depth_ratio > kMinDepthRatio)) continue;
+    Sighting& s = all[i];
+    s.px = ray.at(idepth), s.is_in_view = pinhole_.contains(s.px, kSeenBorderPx);
+    // z' = z (h + rho e)_z: the inverse depth and its standard deviation in this keyframe.
+    s.depth = {idepth / depth_ratio, double(v.vertex.idepth_sigma) / depth_ratio, ray.h.z(), ray.e.z()};
+    if (s.is_in_view) level.field.prefetch_pixel(float(s.px.x()), float(s.px.y()));
+  }
+  for (Sighting& s : all) {
+    if (s.is_in_view) s.pixel = level.field.nearest_pixel(float(s.px.x()), float(s.px.y()));
+    if (s.pixel >= 0) level.field.prefetch_edge(s.pixel);
+  }
+  for (Sighting& s : all) {
+    if (s.pixel >= 0) s.pixel = level.field.edge_at(s.pixel);
+    if (s.pixel >= 0) prefetch(&level.edges.pixels[size_t(s.pixel)]);
+  }
+  for (size_t i = 0; i < line.size(); ++i) {
+    Sighting& s = all[i];
+    if (s.pixel >= 0 &&
+        !is_at_edge(view, line[i].normal.cast<double>(), s.px, level.edges.pixels[size_t(s.pixel)]))
+      s.pixel = -1;
+  }
+  return all;
 }
 
 // Each vertex is seen or missed at most once per keyframe.

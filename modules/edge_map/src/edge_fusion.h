@@ -17,6 +17,11 @@ namespace edgevo {
 struct PyramidLevel;
 struct ViewGeometry;
 
+/// A vertex closer to the image border may not be visible, pixels.
+constexpr double kSeenBorderPx = 4;
+/// Depth in a keyframe over that in the host, below which a vertex is too near the camera, or behind it.
+constexpr double kMinDepthRatio = 0.05;
+
 /// Data of a keyframe that the fusion needs.
 struct EdgeHost {
   /// Of the keyframe; -1: it is a frame between keyframes.
@@ -78,7 +83,7 @@ class EdgeFusion {
   void add_to_cloud(const ViewGeometry& view, const Vertex& v, std::vector<CloudPoint>* points) const;
   void project_lines(const EdgeHost& host, Explained* explained);
   void project_line(const EdgeHost& host, const OpenHost& open, Line* line, Explained* explained) const;
-  std::optional<Sighting> sight(const PyramidLevel& level, const ViewGeometry& view, const Vertex& v) const;
+  std::vector<Sighting> sight(const PyramidLevel& level, const ViewGeometry& view, const Line& line) const;
   void add_new_lines(const EdgeHost& host, const EdgePiece& piece, Explained* explained,
                      std::vector<Line>* lines) const;
   bool is_novel(const EdgeNode& node, Explained* explained) const;

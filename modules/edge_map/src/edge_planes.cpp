@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "edgevo/core/random.h"
+#include "edgevo/core/simd.h"
 
 namespace edgevo {
 namespace {
@@ -28,64 +29,96 @@ constexpr int kAreaColumns = 256;  // of these cells: more than any image has
 
 Eigen::Vector3d homogeneous(const Eigen::Vector2d& px) { return {px.x(), px.y(), 1}; }
 
-// A sample as the search for a plane needs it.
-struct Candidate {
-  explicit Candidate(const PlaneSample& s)
-      : x(homogeneous(s.px)),
-        idepth(s.idepth),
-        inverse_sigma(1 / std::sqrt(s.variance() + kRelief * kRelief * s.idepth * s.idepth)),
-        certainty(kRelief * s.idepth * inverse_sigma),
-        cell(size_t(int(s.px.y()) / kAreaPx * kAreaColumns + int(s.px.x()) / kAreaPx)) {}
-
-  // In standard deviations.
-  double off(const Eigen::Vector3d& plane) const { return std::abs(idepth - plane.dot(x)) * inverse_sigma; }
-
-  Eigen::Vector3d x;
-  double idepth, inverse_sigma;
-  double certainty;  // 0 to 1
-  size_t cell;
-};
-
-// The area of the image that samples near a plane cover: a dense thicket counts no more than its area, and an
-// uncertain sample, which lies on any plane, less than a certain one.
-double covered_area(const std::vector<Candidate>& samples, const Eigen::Vector3d& plane,
-                    std::vector<double>* cells) {
-  std::fill(cells->begin(), cells->end(), 0);
-  for (const Candidate& s : samples) {
-    const double off = s.off(plane) / kPlaneSigmas;
-    if (off >= 1) continue;
-    if (s.cell >= cells->size()) cells->resize(s.cell + 1);
-    (*cells)[s.cell] = std::max((*cells)[s.cell], (1 - off * off) * s.certainty);
+// Samples as the search for a plane needs them.
+class Candidates {
+ public:
+  explicit Candidates(const std::vector<PlaneSample>& samples) {
+    const size_t step = 1 + samples.size() / kCandidates;
+    for (size_t i = 0; i < samples.size(); i += step) add(samples[i]);
+    number_cells();
+    area_of_.resize(size()), cells_.resize(size_t(cell_count_));
   }
-  return std::accumulate(cells->begin(), cells->end(), 0.0);
-}
+
+  size_t size() const { return idepth_.size(); }
+  Eigen::Vector3d x(size_t i) const { return {x_[i], y_[i], 1}; }
+  double idepth(size_t i) const { return idepth_[i]; }
+  double certainty(size_t i) const { return certainty_[i]; }
+
+  static double inverse_sigma(const PlaneSample& s) {
+    return 1 / std::sqrt(s.variance() + kRelief * kRelief * s.idepth * s.idepth);
+  }
+
+  // The area of the image that those near a plane cover: a dense thicket counts no more than its area, and an
+  // uncertain sample, which lies on any plane, less than a certain one.
+  double covered_area(const Eigen::Vector3d& plane) {
+    weigh_areas(plane.x(), plane.y(), plane.z(), size(), x_.data(), y_.data(), idepth_.data(),
+                inverse_sigma_.data(), certainty_.data(), area_of_.data());
+    std::fill(cells_.begin(), cells_.end(), 0);
+    for (size_t i = 0; i < size(); ++i) {
+      double& cell = cells_[size_t(cell_[i])];
+      cell = std::max(cell, area_of_[i]);
+    }
+    return std::accumulate(cells_.begin(), cells_.end(), 0.0);
+  }
+
+ private:
+  void add(const PlaneSample& s) {
+    x_.push_back(s.px.x()), y_.push_back(s.px.y()), idepth_.push_back(s.idepth);
+    inverse_sigma_.push_back(inverse_sigma(s));
+    certainty_.push_back(kRelief * s.idepth * inverse_sigma_.back());
+    cell_.push_back(int(s.px.y()) / kAreaPx * kAreaColumns + int(s.px.x()) / kAreaPx);
+  }
+  // From 0 on, in their order.
+  void number_cells() {
+    std::vector<int> used = cell_;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (int& cell : cell_) cell = int(std::lower_bound(used.begin(), used.end(), cell) - used.begin());
+    cell_count_ = int(used.size());
+  }
+
+  // The sum of the three products in Eigen's order.
+  EDGEVO_WIDE_CLONES static void weigh_areas(double a, double b, double c, size_t count, const double* x,
+                                             const double* y, const double* idepth,
+                                             const double* inverse_sigma, const double* certainty,
+                                             double* area) {
+    for (size_t i = 0; i < count; ++i) {
+      const double off = std::abs(idepth[i] - (a * x[i] + (b * y[i] + c))) * inverse_sigma[i] / kPlaneSigmas;
+      area[i] = off < 1 ? (1 - off * off) * certainty[i] : 0;
+    }
+  }
+
+  std::vector<double> x_, y_, idepth_, inverse_sigma_;
+  std::vector<double> certainty_;  // 0 to 1
+  std::vector<int> cell_;
+  int cell_count_ = 0;
+  std::vector<double> area_of_, cells_;  // of the last plane
+};
 
 // The most certain of a few: a plane through three samples has all their errors. Wrong ones may be the more
 // certain, so that half of the planes are drawn without.
-const Candidate& certain_one(const std::vector<Candidate>& samples, int draws, Random* random) {
+size_t certain_one(const Candidates& samples, int draws, Random* random) {
   const auto draw = [&] { return size_t(random->below(int(samples.size()))); };
   size_t best = draw();
   for (int i = 1; i < draws; ++i)
-    if (const size_t other = draw(); samples[other].certainty > samples[best].certainty) best = other;
-  return samples[best];
+    if (const size_t other = draw(); samples.certainty(other) > samples.certainty(best)) best = other;
+  return best;
 }
 
 // The best of many planes through three samples, if it covers more than `most`.
-std::optional<Eigen::Vector3d> largest_plane(const std::vector<Candidate>& samples, double most,
-                                             Random* random) {
+std::optional<Eigen::Vector3d> largest_plane(Candidates* samples, double most, Random* random) {
   std::optional<Eigen::Vector3d> best;
-  std::vector<double> cells;
   for (int t = 0; t < kTries; ++t) {
     Eigen::Matrix3d M;
     Eigen::Vector3d y;
     for (int k = 0; k < 3; ++k) {
-      const Candidate& s = certain_one(samples, t % 2 == 0 ? kDraws : 1, random);
-      M.row(k) = s.x.transpose(), y[k] = s.idepth;
+      const size_t s = certain_one(*samples, t % 2 == 0 ? kDraws : 1, random);
+      M.row(k) = samples->x(s).transpose(), y[k] = samples->idepth(s);
     }
     constexpr double kLeastArea = 400;  // square pixels: a smaller triangle extrapolates its errors
     if (std::abs(M.determinant()) < 2 * kLeastArea) continue;
     const Eigen::Vector3d plane = M.inverse() * y;
-    const double area = covered_area(samples, plane, &cells);
+    const double area = samples->covered_area(plane);
     if (area > most) most = area, best = plane;
   }
   return best;
@@ -214,20 +247,18 @@ LargestPlane find_largest(const std::vector<PlaneSample>& samples, const std::ve
   LargestPlane best{EdgePlane({}), -1};
   if (samples.size() < kAtLeast) return best;
   Random random(1);
-  const size_t step = 1 + samples.size() / kCandidates;
-  std::vector<Candidate> candidates;
-  for (size_t i = 0; i < samples.size(); i += step) candidates.emplace_back(samples[i]);
+  Candidates candidates(samples);
   double most = 0;
-  std::vector<double> cells;
   for (size_t i = 0; i < predicted.size(); ++i)
     if (const EdgePlane now = predicted[i].corrected(samples); now.is_valid())
-      if (const double area = covered_area(candidates, now.coefficients(), &cells); area > most)
+      if (const double area = candidates.covered_area(now.coefficients()); area > most)
         most = area, best = {predicted[i], int(i)};
-  const std::optional<Eigen::Vector3d> larger = largest_plane(candidates, most, &random);
+  const std::optional<Eigen::Vector3d> larger = largest_plane(&candidates, most, &random);
   if (!larger) return best;
   std::vector<PlaneSample> near;
   for (const PlaneSample& s : samples)
-    if (Candidate(s).off(*larger) < kPlaneSigmas) near.push_back(s);
+    if (std::abs(s.idepth - larger->dot(homogeneous(s.px))) * Candidates::inverse_sigma(s) < kPlaneSigmas)
+      near.push_back(s);
   const EdgePlane plane = refined(EdgePlane(near), samples);
   return plane.is_valid() ? LargestPlane{plane, -1} : best;
 }

@@ -72,15 +72,34 @@ struct NearEdge {
   int at;    // first its pixel, then its edge pixel
 };
 
-// The edges next to the line, in its order. Even steps, as no read waits for another: longer ones where no
-// edge is near take as long.
-EDGEVO_WIDE_CLONES void walk_along(const NearestField& field, const Segment& segment,
-                                   std::vector<NearEdge>* near) {
-  for (double s = 0; s <= segment.length; s += kStepPast) {
-    const Eigen::Vector2d p = segment.start + s * segment.direction;
-    const float x = float(p.x()), y = float(p.y());
-    if (field.squared_distance(x, y) > kNearPx * kNearPx) continue;
-    near->push_back({s, field.nearest_pixel(x, y)});
+// The pixels of the points of a segment.
+constexpr size_t kMostSteps = size_t(kMaxLengthPx / kStepPast) + 1;
+struct Walk {
+  size_t count = 0;
+  int column[kMostSteps], row[kMostSteps];
+};
+
+EDGEVO_WIDE_CLONES void step_along(const Segment& segment, Walk* walk) {
+  const double x = segment.start.x(), y = segment.start.y(), dx = segment.direction.x(),
+               dy = segment.direction.y();
+  const size_t count = size_t(segment.length / kStepPast) + 1;
+  for (size_t i = 0; i < count; ++i) {
+    const double s = kStepPast * double(int(i));
+    walk->column[i] = int(float(x + s * dx) + 0.5f), walk->row[i] = int(float(y + s * dy) + 0.5f);
+  }
+  walk->count = count;
+}
+
+// The edges next to the line, in its order; all of it lies in the image. Even steps, as no read waits for
+// another: longer ones where no edge is near take as long.
+void walk_along(const NearestField& field, const Segment& segment, std::vector<NearEdge>* near) {
+  constexpr int kNearSquared = int(kNearPx * kNearPx);
+  Walk walk;
+  step_along(segment, &walk);
+  for (size_t i = 0; i < walk.count; ++i) {
+    const int x = walk.column[i], y = walk.row[i];
+    if (field.squared_distance_at(x, y) > kNearSquared) continue;
+    near->push_back({kStepPast * double(i), field.nearest_pixel(float(x), float(y))});
     field.prefetch_edge(near->back().at);
   }
 }

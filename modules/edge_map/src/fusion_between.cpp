@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines of frames between keyframes, of what no keyframe sees from near: a fast vehicle passes it in between.
-// They become lines of the keyframe before, as it would see them.
+// They become lines of the keyframe before, as it would see them. And what such frames are aligned to.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -15,6 +15,8 @@ namespace {
 
 // Share of the vertices of a keyframe that are farther than what it sees from near.
 constexpr double kNearestShare = 0.95;
+
+constexpr size_t kCloudPoints = 1000;  // that views are aligned to: with 100 half of the gain is lost
 
 // The views of a keyframe, and itself, as those of its view `host`: nearest first, frames between keyframes
 // in turn with keyframes (edge_mapper.cpp).
@@ -59,6 +61,37 @@ std::vector<std::pair<double, size_t>> views_ahead(const std::vector<EdgeView>& 
 }
 
 }  // namespace
+
+// Some vertices of the lines so far that lie in the image of the host, evenly from all.
+std::vector<CloudPoint> EdgeFusion::cloud_for(const EdgeHost& host) const {
+  std::vector<CloudPoint> points;
+  for (const OpenHost& open : open_) {
+    const SE3 T_host_open = host.T_cam_world * open.T_cam_world.inverse();
+    const ViewGeometry view(pinhole_, {host.pyramid, host.sides, T_host_open, 1});
+    for (const Line& line : open.lines)
+      for (const Vertex& v : line) add_to_cloud(view, v, &points);
+  }
+  const size_t step = 1 + points.size() / kCloudPoints;
+  size_t kept = 0;
+  for (size_t i = 0; i < points.size(); i += step) points[kept++] = points[i];
+  points.resize(kept);
+  return points;
+}
+
+void EdgeFusion::add_to_cloud(const ViewGeometry& view, const Vertex& v,
+                              std::vector<CloudPoint>* points) const {
+  if (v.is_replaced || v.missed >= v.seen) return;
+  const SightLine ray(view, v.vertex.px.cast<double>());
+  const double idepth = double(v.vertex.idepth), depth_ratio = ray.depth(idepth);
+  if (!(depth_ratio > kMinDepthRatio)) return;
+  CloudPoint p;
+  const Eigen::Vector2d px = ray.at(idepth);
+  if (!pinhole_.contains(px, kSeenBorderPx)) return;
+  p.ray = pinhole_.ray(px), p.px = px.cast<float>();
+  p.idepth = idepth / depth_ratio, p.idepth_sigma = double(v.vertex.idepth_sigma) / depth_ratio;
+  p.normal = (view.turn * v.normal.cast<double>()).cast<float>();
+  points->push_back(p);
+}
 
 void EdgeFusion::predict_planes(const SE3& T_cam_world) {
   const SE3 T_plane_cam = T_plane_host_ * T_host_world_ * T_cam_world.inverse();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace edgevo {
@@ -118,23 +119,24 @@ class PlaneLayer {
  public:
   // A predicted plane is evidence, one that was found in these samples is a guess.
   PlaneLayer(const ImageEdges& edges, const PlaneLimits& limits, const EdgePlane& plane, bool is_predicted,
-             std::vector<FinalChain>* chains)
+             const CompareDepths& compare_depths, std::vector<FinalChain>* chains)
       : edges_(edges),
         limits_(limits),
         chains_(*chains),
         plane_(plane),
         is_predicted_(is_predicted),
+        compare_depths_(compare_depths),
         area_(edges.width, edges.height) {}
 
   // Returns the plane as it is now.
-  EdgePlane lay(const WeighNode& weigh_node, const CompareDepths& compare_depths) {
+  EdgePlane lay(const WeighNode& weigh_node) {
     mark_known();
-    find_candidates(weigh_node, compare_depths);
+    find_candidates(weigh_node);
     if (!plane_.is_valid()) return plane_;
     area_ = PlaneArea(edges_.width, edges_.height);
     mark_known();
     for (const Candidate& c : candidates_)
-      if (c.log_likelihood_ratio > 0 && is_useful(c.sample) && plane_.holds(c.sample))
+      if (is_useful(c.sample) && plane_.holds(c.sample) && log_likelihood_ratio(c) > 0)
         area_.add(c.sample.px, true);
     auto candidate = candidates_.cbegin();
     for (FinalChain& chain : chains_) {
@@ -150,13 +152,20 @@ class PlaneLayer {
     FinalNode* node;
     PlaneSample sample;  // by its views, near the plane
     Hypothesis hypothesis;
-    double log_likelihood_ratio;
+    double idepth, own;  // inverse depths of the plane as found, and of the node if it lies off it
+    mutable std::optional<double> log_likelihood_ratio;
   };
 
   const EdgePixel& pixel_of(const FinalNode& s) const { return edges_.pixels[size_t(s.node.edge_pixel)]; }
 
+  // It looks at three or four depths, and many candidates need none.
+  double log_likelihood_ratio(const Candidate& c) const {
+    if (!c.log_likelihood_ratio) c.log_likelihood_ratio = compare_depths_(*c.node, c.idepth, c.own);
+    return *c.log_likelihood_ratio;
+  }
+
   // Looks at the plane for edges without a certain depth, and refines the plane with what it finds.
-  void find_candidates(const WeighNode& weigh_node, const CompareDepths& compare_depths) {
+  void find_candidates(const WeighNode& weigh_node) {
     std::vector<PlaneSample> samples;
     for (FinalChain& chain : chains_)
       for (FinalNode& s : chain) {
@@ -170,10 +179,10 @@ class PlaneLayer {
         const NodeEvidence evidence = weigh_node(s, idepth);
         const PlaneSample sample = sample_of(px, evidence);
         if (!plane_.holds(sample)) continue;
-        const double log_likelihood_ratio = compare_depths(idepth, is_off ? s.node.idepth : 0);
-        candidates_.push_back({&s, sample, evidence.hypothesis, log_likelihood_ratio});
-        if (log_likelihood_ratio > 0 && evidence.is_measured && is_useful(candidates_.back().sample))
-          samples.push_back(candidates_.back().sample);
+        candidates_.push_back(
+            {&s, sample, evidence.hypothesis, idepth, is_off ? s.node.idepth : 0, std::nullopt});
+        if (evidence.is_measured && is_useful(sample) && log_likelihood_ratio(candidates_.back()) > 0)
+          samples.push_back(sample);
       }
     plane_ = is_predicted_ ? plane_.corrected(samples) : refined(plane_, samples);
   }
@@ -206,7 +215,7 @@ class PlaneLayer {
     if (sigma > limits_.max_relative_sigma * depth.idepth || !plane_.holds(c->sample)) return kNever;
     if (!is_shown && !area_.is_on_both_sides(c->sample.px, pixel_of(s).normal().cast<double>()))
       return kNever;
-    return kIndependent * c->log_likelihood_ratio + area_.log_odds(c->sample.px);
+    return kIndependent * log_likelihood_ratio(*c) + area_.log_odds(c->sample.px);
   }
 
   // Neighbours on an edge lie on the plane together: the likeliest nodes on it and off it, by Viterbi.
@@ -242,6 +251,7 @@ class PlaneLayer {
   std::vector<FinalChain>& chains_;
   EdgePlane plane_;
   const bool is_predicted_;
+  const CompareDepths& compare_depths_;
   PlaneArea area_;
   std::vector<Candidate> candidates_;
 };
@@ -267,7 +277,7 @@ void lay_on_planes(const ImageEdges& edges, const PlaneLimits& limits, const Wei
   planes->clear();
   for (const FoundPlane& f : found) {
     const EdgePlane now =
-        PlaneLayer(edges, limits, f.plane, f.is_predicted, chains).lay(weigh_node, compare_depths);
+        PlaneLayer(edges, limits, f.plane, f.is_predicted, compare_depths, chains).lay(weigh_node);
     if (now.is_valid()) planes->push_back(now);
   }
 }

@@ -23,8 +23,8 @@ struct NodeEvidence {
 /// What the views say of a node at an inverse depth.
 using WeighNode = std::function<NodeEvidence(const FinalNode& node, double idepth)>;
 /// Logarithm of the likelihood of what the views show if the edge has this inverse depth, over that if it
-/// lies elsewhere along its ray, or at its `own` inverse depth, unless that is 0. Of the node weighed last.
-using CompareDepths = std::function<double(double idepth, double own)>;
+/// lies elsewhere along its ray, or at its `own` inverse depth, unless that is 0.
+using CompareDepths = std::function<double(const FinalNode& node, double idepth, double own)>;
 
 struct PlaneLimits {
   double max_idepth = 0;

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "compared_frame.h"
 #include "edgevo/core/depth_source.h"
 #include "edgevo/core/error.h"
-#include "placed_lines.h"
-#include "true_view.h"
+#include "missing_causes.h"
 
 namespace edgevo {
 namespace {
@@ -18,57 +19,6 @@ namespace {
 constexpr double kBands[] = {2, 5, 10, 20, 40, 100};  // metres: hands to roads
 // Kinds are of the nearest band with this share of all edges: a robot meets those.
 constexpr double kNearShare = 0.25;
-
-// The drawn pixels of a view by the pixel that they lie at, to find those next to an edge.
-class DrawnGrid {
- public:
-  DrawnGrid(const std::vector<DrawnPixel>& drawn, const Pinhole& p) : width_(p.width), height_(p.height) {
-    first_.assign(size_t(width_) * size_t(height_), -1);
-    next_.resize(drawn.size());
-    for (size_t i = 0; i < drawn.size(); ++i) {
-      int& first = first_[size_t(std::lround(drawn[i].px.y()) * width_ + std::lround(drawn[i].px.x()))];
-      next_[i] = first, first = int(i);
-    }
-  }
-  bool explains(const TrueEdgePixel& e, const std::vector<DrawnPixel>& drawn,
-                const MapEvaluationOptions& o) const {
-    const int reach = int(std::ceil(o.within_px)), u = int(std::lround(e.px.x())),
-              v = int(std::lround(e.px.y()));
-    for (int y = std::max(0, v - reach); y <= std::min(height_ - 1, v + reach); ++y)
-      for (int x = std::max(0, u - reach); x <= std::min(width_ - 1, u + reach); ++x)
-        for (int i = first_[size_t(y * width_ + x)]; i >= 0; i = next_[size_t(i)])
-          if ((drawn[size_t(i)].px - e.px).norm() <= o.within_px &&
-              std::abs(drawn[size_t(i)].depth - e.depth) <= o.depth_share * e.depth)
-            return true;
-    return false;
-  }
-
- private:
-  int width_, height_;
-  std::vector<int> first_, next_;
-};
-
-// One frame compared.
-struct Comparison {
-  Comparison(const SceneRenderer& scene, PyramidBuilder* builder, const PlacedLines& lines, int index,
-             const MapEvaluationOptions& o)
-      : view(scene, builder, index, index >= o.every ? index - o.every : std::min(o.every, scene.size() - 1)),
-        drawn(draw_lines(lines, view.pinhole(), view.T_scene_cam())) {
-    const DrawnGrid grid(drawn, view.pinhole());
-    for (const TrueEdgePixel& e : view.edges()) is_found.push_back(grid.explains(e, drawn, o));
-    for (const DrawnPixel& d : drawn) {
-      is_hidden.push_back(view.is_hidden(d.px, d.depth, o.within_px, o.depth_share));
-      is_right.push_back(view.has_edge(d.px, d.depth, o.within_px, o.depth_share));
-      place.push_back(view.place_of(d.px, d.normal, d.depth));
-    }
-  }
-
-  TrueView view;
-  std::vector<DrawnPixel> drawn;
-  std::vector<bool> is_found;             // by edge of the view
-  std::vector<bool> is_hidden, is_right;  // by drawn pixel
-  std::vector<EdgePlace> place;           // likewise
-};
 
 // A pixel of a piece of a line in one frame.
 struct Sample {
@@ -84,7 +34,7 @@ class Samples {
   explicit Samples(size_t pieces)
       : nearest_(pieces, std::numeric_limits<float>::infinity()), is_right_there_(pieces, false) {}
 
-  void add(const Comparison& c) {
+  void add(const ComparedFrame& c) {
     for (size_t d = 0; d < c.drawn.size(); ++d) {
       const Sample v{c.drawn[d].piece, float(c.drawn[d].depth), c.place[d], c.is_hidden[d], c.is_right[d]};
       all_.push_back(v);
@@ -128,6 +78,7 @@ struct KindCount {
   double depth;
   TrueEdge kind;
   EdgePlace place;
+  Thing thing;
   bool is_along, is_found;
 };
 
@@ -160,6 +111,22 @@ std::vector<MapFigure> count_places(const std::vector<KindCount>& edges, const S
   return places;
 }
 
+std::vector<MapFigure> count_classes(const std::vector<KindCount>& edges, double near_m) {
+  std::vector<MapFigure> classes(kThings);
+  for (size_t i = 0; i < classes.size(); ++i) classes[i].name = to_string(Thing(i));
+  for (const KindCount& e : edges)
+    if (e.depth <= near_m) ++classes[size_t(e.thing)].edges, classes[size_t(e.thing)].found += e.is_found;
+  return classes;
+}
+
+std::vector<MissingFigure> count_causes(const std::vector<MissingEdge>& edges, double near_m) {
+  std::vector<MissingFigure> causes;
+  for (int i = 0; i < kMissingCauses; ++i) causes.push_back({MissingCause(i), {}});
+  for (const MissingEdge& e : edges)
+    if (e.depth <= near_m) ++causes[size_t(cause_of(e))].edges[size_t(e.thing)];
+  return causes;
+}
+
 double near_limit(const Bands& bands) {
   const double all = double(bands.figures.back().edges);
   for (size_t i = 0; i + 1 < bands.limits.size(); ++i)
@@ -174,6 +141,8 @@ double MapFigure::f() const {
   return sum > 0 ? 2 * completeness() * rightness() / sum : 0;
 }
 
+int64_t MissingFigure::all() const { return std::accumulate(edges.begin(), edges.end(), int64_t(0)); }
+
 bool MapFigures::is_of_another_scene() const {
   constexpr double kOwnScene = 0.5;  // share of the lines
   return bands.back().drawn > 0 && bands.back().rightness() < kOwnScene;
@@ -187,15 +156,19 @@ MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEva
   result.metres_per_unit = lines.metres_per_unit;
   Bands bands;
   std::vector<KindCount> kinds;
+  std::vector<MissingEdge> missing;
   Samples samples(lines.pieces.size());
   for (int i = options.begin; i < end; i += options.every) {
-    const Comparison c(scene, &builder, lines, i, options);
+    const ComparedFrame c(scene, &builder, lines, i, options);
     ++result.frames;
     for (size_t e = 0; e < c.is_found.size(); ++e) {
       const TrueEdgePixel& t = c.view.edges()[e];
       bands.at(t.depth, [&](MapFigure* m) { ++m->edges, m->found += c.is_found[e]; });
-      kinds.push_back(
-          {t.depth, t.kind, c.view.place_of(t.px, t.normal, t.depth), t.is_along_motion, c.is_found[e]});
+      kinds.push_back({t.depth, t.kind, c.view.place_of(t.px, t.normal, t.depth), t.thing, t.is_along_motion,
+                       c.is_found[e]});
+      if (!options.why || c.is_found[e]) continue;
+      missing.emplace_back(t, c.view.T_scene_cam(), c.view.pinhole(), options.depth_share);
+      missing.back().is_misplaced = c.is_misplaced[e];
     }
     samples.add(c);
   }
@@ -211,6 +184,11 @@ MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEva
   result.near_m = near_limit(bands);
   result.kinds = count_kinds(kinds, result.near_m);
   result.places = count_places(kinds, samples, result.near_m);
+  result.classes = count_classes(kinds, result.near_m);
+  if (options.why) {
+    look_from_all_frames(scene, options.begin, end, options.depth_share, &missing);
+    result.causes = count_causes(missing, result.near_m);
+  }
   return result;
 }
 
@@ -220,7 +198,7 @@ std::string map_picture_png(const Run& map, const SceneRenderer& scene, int inde
     throw InputError("the picture", "there is no frame " + std::to_string(index), "give a smaller number");
   constexpr int kTimes = 2;  // larger
   PyramidBuilder builder(scene.camera(), EdgeParams());
-  const Comparison c(scene, &builder, place_lines(map, scene.scene()), index, options);
+  const ComparedFrame c(scene, &builder, place_lines(map, scene.scene()), index, options);
   cv::Mat picture(c.view.pinhole().height, c.view.pinhole().width, CV_8UC3);
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x)

@@ -11,6 +11,7 @@ namespace {
 // Sine of the angle between edge and epipolar line, below which a depth is not to be had from views: that at
 // which the depth filter does not search (14.5 degrees).
 constexpr double kAlongSine = 0.25;
+constexpr double kNextPx = 1.5;         // from an edge to the pixels of the surfaces that it belongs to
 constexpr double kGroundHeight = 0.3;   // metres: a wheel, or a foot, is stopped by what is higher
 constexpr double kUprightSine = 0.174;  // of the angle to the vertical in the image: 10 degrees
 
@@ -40,13 +41,21 @@ bool is_along(const Pinhole& p, const Eigen::Vector2d& px, const Eigen::Vector2d
   return towards.norm() > 0 && std::abs(normal.dot(towards)) < kAlongSine * towards.norm();
 }
 
+// A point three pixels on; at a jump in depth, as far away as the edge.
+Eigen::Vector3d next_on_edge(const ImageView<float>& depth, const Pinhole& p, const TrueEdgePixel& e) {
+  constexpr double kStepPx = 3, kJump = 0.1;
+  const Eigen::Vector2d px = e.px + kStepPx * Eigen::Vector2d(-e.normal.y(), e.normal.x());
+  const double there = 1 / edge_idepth(depth, px);
+  return (std::abs(there - e.depth) < kJump * e.depth ? there : e.depth) * p.ray(px);
+}
+
 }  // namespace
 
 TrueView::TrueView(const SceneRenderer& scene, PyramidBuilder* builder, int index, int before)
     : pinhole_(builder->pinhole()), T_scene_cam_(scene.scene().T_scene_cam[size_t(index)]) {
   RenderedFrame frame = scene.render(index);
   depth_ = std::move(frame.depth);
-  labels_ = true_edge_labels(scene, index);
+  labels_ = true_edge_labels(scene, index), things_ = scene.render_things(index);
   edge_depth_.resize(depth_.size());
   const auto pyramid = builder->build(frame.image);
   const Plane<uint8_t>& gray = pyramid->finest().gray;
@@ -65,15 +74,29 @@ void TrueView::add_edges(const PyramidLevel& level, const SE3& T_before_cam) {
     const double idepth = edge_idepth(depth, t.px);
     if (!(idepth > 0)) continue;
     t.depth = 1 / idepth;
-    any_pixel_near(pinhole_, t.px, 1.5, [&](size_t i) {
+    any_pixel_near(pinhole_, t.px, kNextPx, [&](size_t i) {
       t.kind = std::max(t.kind, TrueEdge(labels_.pixels[i]));
       return false;
     });
+    t.thing = thing_of(t), t.next = next_on_edge(depth, pinhole_, t);
+    t.length_px = level.edges.chains[size_t(e.chain)].length();
     t.is_along_motion = is_along(pinhole_, t.px, t.normal, t.depth, T_before_cam);
     const size_t at = size_t(std::lround(t.px.y()) * pinhole_.width + std::lround(t.px.x()));
     edge_depth_[at] = float(t.depth);
     edges_.push_back(t);
   }
+}
+
+// Of the surfaces that meet in it, the first in the order of Thing.
+Thing TrueView::thing_of(const TrueEdgePixel& edge) const {
+  constexpr double kMeets = 0.02;  // of the depth, between surfaces that touch
+  uint8_t first = kNoThing;
+  any_pixel_near(pinhole_, edge.px, kNextPx, [&](size_t i) {
+    if (std::abs(double(depth_[i]) - edge.depth) <= kMeets * edge.depth)
+      first = std::min(first, things_.pixels[i]);
+    return false;
+  });
+  return first == kNoThing ? Thing::kObject : Thing(first);
 }
 
 void TrueView::add_faint_edges() {

@@ -16,6 +16,11 @@ struct TrueEdgePixel {
   /// Depth of the surface that it belongs to, metres.
   double depth = 0;
   TrueEdge kind = TrueEdge::none;
+  Thing thing = Thing::kObject;
+  /// A point next to it on the edge, axes of the camera, metres.
+  Eigen::Vector3d next = Eigen::Vector3d::Zero();
+  /// Length of its edge in the image, pixels.
+  int length_px = 0;
   /// Whether it runs along its epipolar line, for the motion from the frame compared before.
   bool is_along_motion = false;
 };
@@ -53,13 +58,14 @@ class TrueView {
 
  private:
   void add_edges(const PyramidLevel& level, const SE3& T_before_cam);
+  Thing thing_of(const TrueEdgePixel& edge) const;
   void add_faint_edges();
 
   Pinhole pinhole_;
   SE3 T_scene_cam_;
   GrayImage image_;
   std::vector<float> depth_;
-  GrayImage labels_;
+  GrayImage labels_, things_;
   std::vector<TrueEdgePixel> edges_;
   /// Depth of the edge at each pixel, metres; 0: none.
   std::vector<float> edge_depth_;

@@ -67,10 +67,12 @@ class CorridorBuilder {
     const bool bare = is_bare(*side.street, s0 + 0.01);
     const int metal = b_.texture("metal", 1), rail = b_.texture("stripes", 0);
     b_.wall(p, 0, w, 0, kHeight, 0, bare ? paint_ : wall_, true);
-    b_.box(p, {0, w, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);                      // skirting
-    b_.box(p, {0, w, 0, 0.05, 0.92, 1.02}, rail, rail, -1, true, 0.6f);                    // hand rail
-    if (side.sign > 0) b_.box(p, {0, w, 0, 0.12, 2.3, 2.38}, rail, rail, -1, true, 1.1f);  // pipe
-    b_.box(p, {0, w, 0, 0.07, 2.5, 2.55}, rail, rail, -1, true, 0.7f);
+    b_.build_as(Thing::kRail, [&] {
+      b_.box(p, {0, w, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);                      // skirting
+      b_.box(p, {0, w, 0, 0.05, 0.92, 1.02}, rail, rail, -1, true, 0.6f);                    // hand rail
+      if (side.sign > 0) b_.box(p, {0, w, 0, 0.12, 2.3, 2.38}, rail, rail, -1, true, 1.1f);  // pipe
+      b_.box(p, {0, w, 0, 0.07, 2.5, 2.55}, rail, rail, -1, true, 0.7f);
+    });
     if (!bare) furnish(p, w, metal);
   }
 

@@ -34,13 +34,18 @@ class BayBuilder {
     const int variant = side.sign > 0 ? 0 : 1;
     const int rail = b_.texture("stripes", 0), metal = b_.texture("metal", 1);
     b_.wall(p, 0, kBay, 0, kHeight, 0, wall_, true);
-    b_.box(p, {0, kBay, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);  // skirting
+    b_.build_as(Thing::kRail, [&] {  // skirting
+      b_.box(p, {0, kBay, 0, 0.02, 0, 0.12}, rail, rail, -1, true, 0.45f);
+    });
     b_.box(p, {0.85, 2.05, 0, 0.05, 0, 2.2}, metal, metal, b_.texture("door", variant), false, 0.9f);
     b_.wall(p, 2.2, 2.42, 1.5, 1.65, 0.01, b_.texture("sign", variant),
             false);  // number of the room: the same
     b_.wall(p, 0.15, 0.7, 1.15, 2.0, 0.015, b_.texture("poster", variant), false);
     b_.box(p, {-0.1, 0.1, 0, 0.12, 0, kHeight}, metal, metal, -1, true, 0.8f);  // pilaster between two bays
-    if (side.sign > 0) b_.box(p, {0, kBay, 0, 0.12, 2.4, 2.48}, rail, rail, -1, true, 1.1f);  // pipe
+    if (side.sign > 0)
+      b_.build_as(Thing::kRail, [&] {  // pipe
+        b_.box(p, {0, kBay, 0, 0.12, 2.4, 2.48}, rail, rail, -1, true, 1.1f);
+      });
   }
 
   void floor_and_ceiling() {

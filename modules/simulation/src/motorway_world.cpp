@@ -64,7 +64,9 @@ class MotorwayBuilder {
     const double length = side.street->length;
     const LocalFrame p = side.left_end(0, length, kBarrier, 0);
     const int rail = b_.texture("stripes", 0);
-    b_.box(p, {0, length, -0.06, 0.06, 0.45, 0.78}, rail, rail, -1, true, 0.9f);
+    b_.build_as(Thing::kRail, [&] {
+      b_.box(p, {0, length, -0.06, 0.06, 0.45, 0.78}, rail, rail, -1, true, 0.9f);
+    });
   }
 
   void signs(const Side& side) {

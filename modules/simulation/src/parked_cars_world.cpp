@@ -51,7 +51,9 @@ class ParkedCarsBuilder {
     strip(walk, houses_ + kBehind, 0.09, middle[random_.below(5)]);
     const LocalFrame p = side_.left_end(0, row_.length, kerb);
     const int stone = b_.texture("concrete", 0);
-    b_.box(p, {0, row_.length, -0.15, 0.01, 0, 0.12}, stone, stone, -1, true, 1.1f);
+    b_.build_as(Thing::kKerb, [&] {
+      b_.box(p, {0, row_.length, -0.15, 0.01, 0, 0.12}, stone, stone, -1, true, 1.1f);
+    });
     pavement_ = {kerb, walk};
   }
   // Between d0 and d1 from the row, in pieces, whose textures repeat.

@@ -71,9 +71,11 @@ void add_car(WorldBuilder& b, const LocalFrame& place) {
 
 void add_lamp(WorldBuilder& b, const LocalFrame& place) {
   const int metal = b.texture("metal", 20);
-  b.prism(place, 0.07, 6, 6, metal, 0.6f);
-  b.box(place, {-0.04, 0.04, 0, 1.6, 5.9, 6.0}, metal, metal, -1, false, 0.6f);
-  b.box(place, {-0.12, 0.12, 1.0, 1.7, 5.78, 5.9}, metal, metal, -1, false, 1.1f);
+  b.build_as(Thing::kPole, [&] {
+    b.prism(place, 0.07, 6, 6, metal, 0.6f);
+    b.box(place, {-0.04, 0.04, 0, 1.6, 5.9, 6.0}, metal, metal, -1, false, 0.6f);
+    b.box(place, {-0.12, 0.12, 1.0, 1.7, 5.78, 5.9}, metal, metal, -1, false, 1.1f);
+  });
 }
 
 void add_sign(WorldBuilder& b, const LocalFrame& place) {

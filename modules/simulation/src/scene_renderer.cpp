@@ -57,23 +57,43 @@ GrayImage SceneRenderer::render_bodies(int index) const {
   return {p.width, p.height, bodies_in(scene_, *rays_, index)};
 }
 
+GrayImage SceneRenderer::render_things(int index) const {
+  const Pinhole p = undistorted();
+  const SceneViews views = view_scene(scene_, Camera(p), instant_of(scene_, index), {0, p.height});
+  GrayImage things{p.width, p.height, {}};
+  things.pixels.reserve(size_t(p.width) * p.height);
+  each_pixel(views.surfaces, [&](const ViewSurface* s, const Eigen::Vector2d&) {
+    const bool is_body = s && views.body[size_t(s - views.surfaces.data())] != kNoBody;
+    things.pixels.push_back(!s ? kNoThing : uint8_t(is_body ? Thing::kObject : s->surface->thing));
+  });
+  return things;
+}
+
 std::vector<float> SceneRenderer::depth_of(const std::vector<ViewSurface>& views) const {
+  const Pinhole p = undistorted();
+  std::vector<float> depth;
+  depth.reserve(size_t(p.width) * p.height);
+  each_pixel(views, [&](const ViewSurface* s, const Eigen::Vector2d& px) {
+    depth.push_back(s ? float(1 / s->idepth.dot(p.ray(px))) : 0.0f);
+  });
+  return depth;
+}
+
+void SceneRenderer::each_pixel(
+    const std::vector<ViewSurface>& views,
+    const std::function<void(const ViewSurface* surface, const Eigen::Vector2d& px)>& see) const {
   const Pinhole p = undistorted();
   RowSamples row(p.width, 1);
   set_sample_columns(p, 1, &row);
   ActiveSurfaces active(views);
-  std::vector<float> depth;
-  depth.reserve(size_t(p.width) * p.height);
   for (int v = 0; v < p.height; ++v) {
     row.clear();
     active.for_row(v, [&](const ViewSurface& view, int id) { draw_pinhole(view, id, p, v, 0, &row); });
     for (int u = 0; u < p.width; ++u) {
       const int owner = row.owner_of(0)[u];
-      const double idepth = owner < 0 ? 0 : views[size_t(owner)].idepth.dot(p.ray({double(u), double(v)}));
-      depth.push_back(owner < 0 ? 0.0f : float(1 / idepth));
+      see(owner < 0 ? nullptr : &views[size_t(owner)], {double(u), double(v)});
     }
   }
-  return depth;
 }
 
 RenderedFrame SceneRenderer::render(int index) const {

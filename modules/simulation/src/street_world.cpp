@@ -117,12 +117,14 @@ class StreetBuilder {
     const LocalFrame p = side.left_end(s0, s1 - s0, kRoad, 0);
     const double w = s1 - s0;
     const int stone = b_.texture("concrete", 0), slabs = b_.texture("slabs", 0);
-    b_.box(p, {0, w, -0.16, 0, 0, kKerb}, stone, stone, -1, true, 1.2f);
+    b_.build_as(Thing::kKerb, [&] { b_.box(p, {0, w, -0.16, 0, 0, kKerb}, stone, stone, -1, true, 1.2f); });
     b_.tile(p.point(0, -(kWalk - kRoad), kKerb - 0.005), w * p.right, (kWalk - kRoad - 0.16) * p.out, slabs);
     b_.tile(p.point(0, -26, kKerb - 0.02), w * p.right, (26 - (kWalk - kRoad)) * p.out,
             b_.texture("grass", 0))
         .gain *= 0.9f;
-    b_.box(p, {0, w, 0, 0.3, 0, 0.006}, stone, stone, -1, true, 0.7f);  // gutter
+    b_.build_as(Thing::kKerb, [&] {  // gutter
+      b_.box(p, {0, w, 0, 0.3, 0, 0.006}, stone, stone, -1, true, 0.7f);
+    });
   }
 
   void houses(const Side& side) {

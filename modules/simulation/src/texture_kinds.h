@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "canvas.h"
+#include "edgevo/simulation/world.h"
 
 namespace edgevo {
 
@@ -14,6 +15,8 @@ struct TextureKind {
   /// Size of one repeat of a tiled texture, else the natural size, metres.
   double width_m, height_m;
   std::function<Canvas(Random&)> draw;
+  /// What its surfaces are part of, unless their builder says otherwise.
+  Thing thing = Thing::kObject;
 };
 
 /// Kinds brick, plaster, stone, boards, concrete, roof_tiles, hedge.

@@ -137,8 +137,12 @@ Canvas poster(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> front_textures() {
-  return {{"window", 1.1, 1.7, window}, {"door", 1.1, 2.3, door}, {"shop", 5.5, 2.8, shop},
-          {"garage", 2.6, 2.4, garage}, {"sign", 0.7, 0.7, sign}, {"poster", 0.7, 1.4, poster}};
+  return {{"window", 1.1, 1.7, window, Thing::kBuilding},
+          {"door", 1.1, 2.3, door, Thing::kBuilding},
+          {"shop", 5.5, 2.8, shop, Thing::kBuilding},
+          {"garage", 2.6, 2.4, garage, Thing::kBuilding},
+          {"sign", 0.7, 0.7, sign},
+          {"poster", 0.7, 1.4, poster}};
 }
 
 }  // namespace edgevo

@@ -176,17 +176,17 @@ Canvas manhole(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> ground_textures() {
-  return {{"asphalt", 8, 8, asphalt},
-          {"slabs", 4, 4, slabs},
-          {"grass", 4, 4, grass},
-          {"gravel", 4, 4, gravel},
+  return {{"asphalt", 8, 8, asphalt, Thing::kGround},
+          {"slabs", 4, 4, slabs, Thing::kGround},
+          {"grass", 4, 4, grass, Thing::kGround},
+          {"gravel", 4, 4, gravel, Thing::kGround},
           {"wood", 1.6, 1.6, wood},
-          {"carpet", 2, 2, carpet},
-          {"floor_tiles", 3.2, 3.2, floor_tiles},
-          {"water", 12, 12, water},
-          {"paint", 0.15, 3, paint},
-          {"stripes", 2, 1.4, stripes},
-          {"manhole", 0.7, 0.7, manhole}};
+          {"carpet", 2, 2, carpet, Thing::kGround},
+          {"floor_tiles", 3.2, 3.2, floor_tiles, Thing::kGround},
+          {"water", 12, 12, water, Thing::kGround},
+          {"paint", 0.15, 3, paint, Thing::kMarking},
+          {"stripes", 2, 1.4, stripes, Thing::kBuilding},
+          {"manhole", 0.7, 0.7, manhole, Thing::kMarking}};
 }
 
 }  // namespace edgevo

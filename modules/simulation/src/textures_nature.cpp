@@ -226,20 +226,20 @@ Canvas clouds(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> nature_textures() {
-  return {{"bark", 1, 2, bark},
-          {"crown", 5, 5, crown},
-          {"conifer", 4, 8, conifer},
-          {"bush", 2.4, 1.2, bush},
-          {"reeds", 2.4, 1.2, reeds},
-          {"forest", 28, 12, forest},
+  return {{"bark", 1, 2, bark, Thing::kPole},
+          {"crown", 5, 5, crown, Thing::kPlant},
+          {"conifer", 4, 8, conifer, Thing::kPlant},
+          {"bush", 2.4, 1.2, bush, Thing::kPlant},
+          {"reeds", 2.4, 1.2, reeds, Thing::kPlant},
+          {"forest", 28, 12, forest, Thing::kPlant},
           {"boulder", 1, 0.5, boulder},
           {"rock", 1, 1, rock},
-          {"crown_thin", 5, 5, crown_thin},
-          {"crown_bare", 5, 5, crown_bare},
-          {"bush_thin", 2.4, 1.2, bush_thin},
-          {"bush_bare", 2.4, 1.2, bush_bare},
-          {"forest_thin", 28, 12, forest_thin},
-          {"forest_bare", 28, 12, forest_bare},
+          {"crown_thin", 5, 5, crown_thin, Thing::kPlant},
+          {"crown_bare", 5, 5, crown_bare, Thing::kPlant},
+          {"bush_thin", 2.4, 1.2, bush_thin, Thing::kPlant},
+          {"bush_bare", 2.4, 1.2, bush_bare, Thing::kPlant},
+          {"forest_thin", 28, 12, forest_thin, Thing::kPlant},
+          {"forest_bare", 28, 12, forest_bare, Thing::kPlant},
           {"clouds", 1800, 1800, clouds}};
 }
 

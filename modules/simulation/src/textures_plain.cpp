@@ -157,13 +157,13 @@ Canvas meadow(Random& random) {
 }  // namespace
 
 std::vector<TextureKind> plain_textures() {
-  return {{"white_tiles", 3.2, 3.2, white_tiles},
-          {"floor_slabs", 3.2, 3.2, floor_slabs},
-          {"wall_panels", 3.2, 3.2, wall_panels},
-          {"ceiling_panels", 3, 3, ceiling_panels},
-          {"painted_wall", 5, 5, painted_wall},
-          {"worn_asphalt", 10, 10, worn_asphalt},
-          {"meadow", 8, 8, meadow}};
+  return {{"white_tiles", 3.2, 3.2, white_tiles, Thing::kBuilding},
+          {"floor_slabs", 3.2, 3.2, floor_slabs, Thing::kGround},
+          {"wall_panels", 3.2, 3.2, wall_panels, Thing::kBuilding},
+          {"ceiling_panels", 3, 3, ceiling_panels, Thing::kBuilding},
+          {"painted_wall", 5, 5, painted_wall, Thing::kBuilding},
+          {"worn_asphalt", 10, 10, worn_asphalt, Thing::kGround},
+          {"meadow", 8, 8, meadow, Thing::kGround}};
 }
 
 }  // namespace edgevo

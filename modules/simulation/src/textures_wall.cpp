@@ -138,16 +138,17 @@ Canvas hedge(Random& random) {
 
 std::vector<TextureKind> wall_textures() {
   return {
-      {"brick", 4, 4, brick_wall},
+      {"brick", 4, 4, brick_wall, Thing::kBuilding},
       {"stone", 4, 4,
        [](Random& r) {
          return masonry(r, 14, 8, 4.0, float(r.uniform(120, 148)), float(r.uniform(96, 112)), 12);
-       }},
-      {"plaster", 4, 4, plaster},
-      {"boards", 4, 4, boards},
-      {"concrete", 4, 4, concrete},
-      {"roof_tiles", 4, 4, roof_tiles},
-      {"hedge", 4, 4, hedge},
+       },
+       Thing::kBuilding},
+      {"plaster", 4, 4, plaster, Thing::kBuilding},
+      {"boards", 4, 4, boards, Thing::kBuilding},
+      {"concrete", 4, 4, concrete, Thing::kBuilding},
+      {"roof_tiles", 4, 4, roof_tiles, Thing::kBuilding},
+      {"hedge", 4, 4, hedge, Thing::kPlant},
   };
 }
 

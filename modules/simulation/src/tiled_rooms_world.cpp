@@ -98,8 +98,10 @@ class RoomsBuilder {
     panel(place, {p.r0, p.r1, p.z0, dado}, r.height, style.lower, style.wall_gain);
     if (p.z0 > 0 || p.r1 - p.r0 < 0.05) return;
     const int t = style.trim;
-    b_.box(place, {p.r0, p.r1, 0, 0.015, 0, 0.1}, t, t, -1, true, 0.7f);  // skirting
-    if (style.has_rail) b_.box(place, {p.r0, p.r1, 0, 0.04, style.dado - 0.06, style.dado + 0.06}, t, t);
+    b_.build_as(Thing::kRail, [&] {
+      b_.box(place, {p.r0, p.r1, 0, 0.015, 0, 0.1}, t, t, -1, true, 0.7f);  // skirting
+      if (style.has_rail) b_.box(place, {p.r0, p.r1, 0, 0.04, style.dado - 0.06, style.dado + 0.06}, t, t);
+    });
     along_wall(place, p.r0 + 0.2, p.r1 - 0.2, style.dado);
   }
 

@@ -18,6 +18,12 @@ uint64_t hash(const std::string& text) {
 
 }  // namespace
 
+const std::string& to_string(Thing thing) {
+  static const std::string words[kThings] = {"markings", "kerbs",   "poles",     "rails",
+                                             "plants",   "objects", "buildings", "ground"};
+  return words[size_t(thing)];
+}
+
 LocalFrame LocalFrame::moved(double r, double o, double z, double angle) const {
   const double c = std::cos(angle), s = std::sin(angle);
   return {point(r, o, z), c * right - s * out, s * right + c * out};
@@ -41,6 +47,7 @@ int WorldBuilder::texture(const std::string& kind, int variant) {
   Random random = Random::derive(seed_, hash(kind) + uint64_t(variant));
   world_.textures.push_back(drawn.draw(random).texture());
   natural_size_.emplace_back(drawn.width_m, drawn.height_m);
+  thing_of_texture_.push_back(drawn.thing);
   return it->second;
 }
 
@@ -48,6 +55,7 @@ Surface& WorldBuilder::add(const Eigen::Vector3d& corner, const Eigen::Vector3d&
                            const Eigen::Vector3d& side_v, int texture) {
   Surface s;
   s.origin = corner, s.side_u = side_u, s.side_v = side_v, s.texture = texture;
+  s.thing = thing_.value_or(thing_of_texture_[size_t(texture)]);
   const Eigen::Vector3d normal = side_v.cross(side_u).normalized();
   s.gain = float(kInShade + kBySun * std::max(0.0, normal.dot(sun_)));
   s.is_solid = !world_.textures[size_t(texture)].is_cut_out();
@@ -111,6 +119,7 @@ void WorldBuilder::prism(const LocalFrame& place, double radius, double height, 
     s.uv_origin = {double(i) / sides, 0};
     s.uv_size = {1.0 / sides, 1};
     s.gain *= gain;
+    s.thing = thing_.value_or(Thing::kPole);
   }
 }
 

@@ -3,6 +3,7 @@
 // Assembles textured boxes, cards and prisms into a world.
 #include <Eigen/Core>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -67,6 +68,14 @@ class WorldBuilder {
   /// An upright prism with `sides` faces.
   void prism(const LocalFrame& place, double radius, double height, int sides, int texture, float gain = 1);
 
+  /// Calls `build`, whose surfaces are part of this thing, whatever their texture.
+  template <class F>
+  void build_as(Thing thing, const F& build) {
+    const std::optional<Thing> before = std::exchange(thing_, thing);
+    build();
+    thing_ = before;
+  }
+
   /// The surfaces so far.
   std::vector<Surface>& surfaces() { return world_.surfaces; }
   void set_sky(const std::string& kind, float horizon_gray, float haze_per_metre);
@@ -82,8 +91,11 @@ class WorldBuilder {
   Random random_;
   World world_;
   std::map<std::pair<std::string, int>, int> known_;
-  /// Natural size of each texture, metres.
+  /// Natural size of each texture, metres, and what it is part of.
   std::vector<Eigen::Vector2d> natural_size_;
+  std::vector<Thing> thing_of_texture_;
+  /// What is being built, if not what its textures say.
+  std::optional<Thing> thing_;
 };
 
 }  // namespace edgevo

@@ -164,7 +164,7 @@ struct RoadView {
       e.common = idepth;
       return e;
     };
-    const auto compare_depths = [&](double, double own) {
+    const auto compare_depths = [&](const FinalNode&, double, double own) {
       return is_shown && !(has_own && own > 0) ? 1.0 : -20.0;
     };
     std::vector<EdgePlane> planes;

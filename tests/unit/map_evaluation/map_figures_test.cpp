@@ -130,6 +130,60 @@ TEST(MapFigures, LinesAreCountedBySource) {
   EXPECT_NE(to_json(figures).find("\"name\": \"plane\", \"lines\""), std::string::npos);
 }
 
+MapFigures figures_with_causes(const edgevo::Run& map) {
+  MapEvaluationOptions why = options();
+  why.why = true;
+  return evaluate_map(map, street(), why);
+}
+
+const MissingFigure& of_cause(const MapFigures& f, MissingCause cause) { return f.causes.at(size_t(cause)); }
+
+TEST(MapFigures, EdgesAreCountedByClass) {
+  const MapFigures figures = evaluate_map(true_map(1, 1), street(), options());
+  int64_t edges = 0;
+  for (const MapFigure& m : figures.classes) edges += m.edges;
+  EXPECT_EQ(edges, figures.kinds[4].edges + figures.kinds[5].edges);
+  for (const Thing t : {Thing::kMarking, Thing::kKerb, Thing::kPole, Thing::kBuilding}) {
+    EXPECT_GT(figures.classes[size_t(t)].edges, 100) << to_string(t);
+    EXPECT_GT(figures.classes[size_t(t)].completeness(), 0.95) << to_string(t);
+  }
+  EXPECT_NE(to_table(figures).find("kerbs"), std::string::npos);
+  EXPECT_NE(to_json(figures).find("\"classes\""), std::string::npos);
+  EXPECT_TRUE(figures.causes.empty());  // unless requested
+}
+
+TEST(MapFigures, CausesAddUpToWhatIsMissing) {
+  const MapFigures figures = figures_with_causes(true_map(1, 3));
+  int64_t missing = 0, causes = 0, along = 0;
+  for (const MapFigure& m : figures.classes) missing += m.edges - m.found;
+  for (const MissingFigure& m : figures.causes) causes += m.all();
+  EXPECT_EQ(causes, missing);
+  EXPECT_GT(of_cause(figures, MissingCause::kNoLine).all(), missing / 3);
+  EXPECT_GT(of_cause(figures, MissingCause::kAlongMotion).all(), 0);
+  for (const MapFigure& m : figures.kinds)
+    if (m.name == "along the motion") along = m.edges - m.found;
+  EXPECT_LT(of_cause(figures, MissingCause::kAlongMotion).all(), along);
+  EXPECT_NE(to_table(figures).find("along the motion"), std::string::npos);
+  EXPECT_NE(to_json(figures).find("\"by_class\""), std::string::npos);
+}
+
+TEST(MapFigures, AWrongDepthIsNamed) {
+  const MapFigures figures = figures_with_causes(true_map(1.2, 1));
+  int64_t missing = 0;
+  for (const MissingFigure& m : figures.causes) missing += m.all();
+  EXPECT_GT(of_cause(figures, MissingCause::kWrongDepth).all(), missing / 2);
+}
+
+TEST(MapFigures, WhatOneFrameSeesIsSeenInFewFrames) {
+  MapEvaluationOptions one = options();
+  one.end = 3, one.why = true;
+  const MapFigures figures = evaluate_map(true_map(1, 10000), street(), one);
+  int64_t missing = 0;
+  for (const MissingFigure& m : figures.causes) missing += m.all();
+  EXPECT_GT(missing, 1000);
+  EXPECT_EQ(of_cause(figures, MissingCause::kFewFrames).all(), missing);
+}
+
 TEST(MapFigures, AMapOfAnotherSceneIsRefused) {
   edgevo::Run still = true_map(1, 50);
   for (KeyframeRecord& k : still.keyframes) k.T_world_cam = SE3();

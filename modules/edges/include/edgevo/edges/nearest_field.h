@@ -50,6 +50,9 @@ class NearestField {
     return std::min<int>(keys_.at(int(x + 0.5f), int(y + 0.5f)), none_) >> kShift;
   }
 
+  /// Squared distance from an integer pixel inside the image (not checked), otherwise as squared_distance().
+  int squared_distance_at(int x, int y) const { return std::min<int>(keys_.at(x, y), none_) >> kShift; }
+
   /// First half of nearest(), for callers that prefetch memory for many look-ups: row * width + column of the
   /// pixel of the nearest edge; -1 as for nearest().
   int nearest_pixel(float x, float y) const {

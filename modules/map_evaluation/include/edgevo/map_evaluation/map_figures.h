@@ -11,6 +11,7 @@
 //             in nobody's view, and is wrong only if it is hidden in all frames
 // Lines stay with their keyframe, which is put at its true pose, and one length ratio holds for the run: what
 // the path is off is the matter of `edgevo eval TRAJECTORY`. Nothing here uses the code that makes lines.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,29 @@ struct MapEvaluationOptions {
   double depth_share = 0.05;
   /// Only the frames begin <= index < end; end -1: to the last keyframe of the map.
   int begin = 0, end = -1;
+  /// Whether the causes of what is missing are counted, too, which takes a rendering of each frame.
+  bool why = false;
 };
+
+/// Why an edge is missing, as far as the scene says.
+enum class MissingCause {
+  /// A line lies there, along it, at another depth.
+  kWrongDepth,
+  /// Fewer than four frames see it, from not much farther than the one compared.
+  kFewFrames,
+  /// A depth that is wrong moves it by less than a pixel in every frame: it is too far away for the path.
+  kStill,
+  /// A depth that is wrong moves it along itself, but less than a pixel across: views show it at any depth.
+  kAlongMotion,
+  /// Its edge is shorter than 12 pixels there.
+  kShort,
+  /// None of these: views show it, and no line was made of it, or kept.
+  kNoLine
+};
+/// Number of causes.
+constexpr int kMissingCauses = 6;
+/// Name in tables.
+const std::string& to_string(MissingCause cause);
 
 /// Figures of the edges of one class.
 struct MapFigure {
@@ -49,6 +72,17 @@ struct MapFigure {
   double f() const;
 };
 
+/// Edges that are missing for one cause, the first one that holds in the order of MissingCause.
+struct MissingFigure {
+  /// Of all these.
+  MissingCause cause;
+  /// Number of edge pixels by Thing.
+  std::array<int64_t, kThings> edges{};
+
+  /// Number of edge pixels of all things.
+  int64_t all() const;
+};
+
 /// A map compared with its scene.
 struct MapFigures {
   /// Metres per unit of the map, by the positions of its keyframes.
@@ -65,7 +99,11 @@ struct MapFigures {
   std::vector<MapFigure> sources;
   /// Within `near_m`, edges and lines by where they are: on the ground, upright above it, and all others.
   std::vector<MapFigure> places;
-  /// Depth up to which kinds and places are counted, metres.
+  /// Within `near_m`, by what the edges belong to (Thing, in its order): lines know of none.
+  std::vector<MapFigure> classes;
+  /// Within `near_m`, why edges are missing (MissingCause, in its order); empty unless requested.
+  std::vector<MissingFigure> causes;
+  /// Depth up to which kinds, places, classes and causes are counted, metres.
   double near_m = 0;
 
   /// Whether less than half of the lines lie at edges: those of the poorest map of its own scene do.
@@ -73,8 +111,8 @@ struct MapFigures {
 };
 
 /// Compares the lines of `map`, which has the frame indices of the scene, with the scene. Throws InputError
-/// if fewer than three of its keyframes are frames of the scene, or if they do not move. Cost: three
-/// renderings a frame.
+/// if fewer than three of its keyframes are frames of the scene, or if they do not move. Cost: four
+/// renderings a frame compared; with `why`, one more of each frame.
 MapFigures evaluate_map(const Run& map, const SceneRenderer& scene, const MapEvaluationOptions& options = {});
 
 /// PNG of frame `index`, darkened: edges that lines explain green, the others red; lines in view that lie at

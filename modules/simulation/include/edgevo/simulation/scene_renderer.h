@@ -14,6 +14,7 @@
 // Textures are filtered along the longer axis of the pixel's footprint. A finite exposure is sampled at
 // several instants along the true motion, and a rolling shutter renders each row from its own pose. Pixel
 // (0,0) is the centre of the top-left pixel, as everywhere here.
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -41,6 +42,9 @@ struct RenderedFrame {
   /// the middle of the exposure of the middle of the image.
   SE3 T_world_cam;
 };
+
+/// In render_things(): the sky.
+constexpr uint8_t kNoThing = 255;
 
 /// Renders one scene. Any number of threads.
 class SceneRenderer {
@@ -70,6 +74,9 @@ class SceneRenderer {
   /// Which body of the scene each pixel of frame `index` shows, in the middle of the exposure of its row:
   /// its number, 99 at most, or 255 where none is seen.
   GrayImage render_bodies(int index) const;
+  /// What each pixel centre of the undistorted image of frame `index` shows: Thing, or kNoThing for the sky;
+  /// bodies are objects.
+  GrayImage render_things(int index) const;
   /// Depth of the world from any pose, as in render_depth() but without bodies.
   std::vector<float> render_depth_from(const SE3& T_scene_cam) const;
   /// Ground truth of a frame in the first camera's axes.
@@ -77,6 +84,10 @@ class SceneRenderer {
 
  private:
   std::vector<float> depth_of(const std::vector<ViewSurface>& views) const;
+  /// Calls `see` with the surface that each pixel centre of the undistorted image meets, row by row, or null.
+  void each_pixel(
+      const std::vector<ViewSurface>& views,
+      const std::function<void(const ViewSurface* surface, const Eigen::Vector2d& px)>& see) const;
 
   Scene scene_;
   /// Rays of all sample points.

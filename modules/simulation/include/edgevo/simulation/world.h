@@ -6,11 +6,38 @@
 // leaves cut out. Flat surfaces make depth exact: 1/z is linear in the image, so that neither a mesh nor
 // depth buffer precision matters.
 #include <Eigen/Core>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "edgevo/simulation/texture.h"
 
 namespace edgevo {
+
+/// What a surface is part of, as a robot or its planner names it. Where several meet in an edge, the edge is
+/// that of the first of them in this order.
+enum class Thing : uint8_t {
+  /// Paint on the ground, a cover in it.
+  kMarking,
+  /// The rim of a pavement.
+  kKerb,
+  /// Thin and upright: lamps, signs, trunks, drain pipes, pens.
+  kPole,
+  /// Long, thin and level: crash barriers, handrails, pipes, skirtings.
+  kRail,
+  /// Leaves, reeds, hedges.
+  kPlant,
+  /// Cars, furniture, boxes, stones, what moves by itself.
+  kObject,
+  /// Walls, windows, doors, roofs.
+  kBuilding,
+  /// What one drives, walks or swims on, with its texture.
+  kGround
+};
+/// Number of things.
+constexpr int kThings = 8;
+/// Name in tables.
+const std::string& to_string(Thing thing);
 
 /// A parallelogram: the points origin + a side_u + b side_v, a and b in [0, 1].
 struct Surface {
@@ -22,6 +49,8 @@ struct Surface {
   Eigen::Vector3d side_v = Eigen::Vector3d::UnitY();
   /// Index in World::textures.
   int texture = 0;
+  /// What it is part of.
+  Thing thing = Thing::kObject;
   /// Texture coordinates at the origin, in repetitions.
   Eigen::Vector2d uv_origin = {0, 0};
   /// Number of repetitions of the texture along u and v.
