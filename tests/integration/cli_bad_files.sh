@@ -194,7 +194,7 @@ restore edges.ply && rm damaged/summary.yaml
 commands_on_results "no summary"
 mkdir cut && cp noise cut/unfinished_run.bin && cp noise cut/unfinished_window.bin
 bad "is incomplete" "$edgevo" finish cut
-printf 'edgevo recovery log 15\n\000\377\377\377\377' >cut/unfinished_run.bin
+printf 'edgevo recovery log 16\n\000\377\377\377\377' >cut/unfinished_run.bin
 bad "is incomplete" "$edgevo" finish cut
 printf 'edgevo run journal 1\n\000\377\377\377\377' >cut/unfinished_run.bin
 bad "was written by another version" "$edgevo" finish cut

@@ -225,11 +225,11 @@ TEST(RenderedAccuracy, ABendAtGreatSpeed) {
 TEST(SelfCalibration, LeavesAnExactCameraAlone) {
   const RenderedSequence street = part_of(street_sequence(), 0, 80);
   ClipSource source(street.clip);
-  const CameraRefinement camera = run_source(source).camera;
-  EXPECT_NE(camera.state, CameraRefinement::State::kApplied);
-  EXPECT_EQ(camera.correction.k1, 0);
-  EXPECT_NE(camera.shutter.state, CameraRefinement::State::kApplied);
-  EXPECT_EQ(camera.correction.readout_s, 0);
+  const CameraPosterior camera = run_source(source).camera;
+  EXPECT_NE(camera.state_of(CameraNumber::kK1), CameraPosterior::State::kApplied);
+  EXPECT_EQ(camera.applied.k1, 0);
+  EXPECT_NE(camera.state_of(CameraNumber::kReadout), CameraPosterior::State::kApplied);
+  EXPECT_EQ(camera.applied.readout_s, 0);
 }
 
 // Corners do not show an error that is so small; the matches of some twenty keyframes do.
@@ -242,10 +242,10 @@ TEST(SelfCalibration, CorrectsAFocalLengthThatIsFivePercentOff) {
     clip.camera.set_pinhole(pinhole);
     ClipSource source(std::make_shared<const Clip>(std::move(clip)));
     const RunAccuracy figures = measure(run_source(source), desk.truth);
-    const CameraRefinement& camera = figures.run.camera;
-    std::cout << "[ figures  ] focal length " << camera.correction.focal << ", +- " << camera.lens.focal_sigma
+    const CameraPosterior& camera = figures.run.camera;
+    std::cout << "[ figures  ] focal length " << camera.applied.focal << ", +- " << camera.focal_sigma()
               << ", ATE " << figures.ate_percent << " %" << std::endl;
-    EXPECT_NEAR(camera.correction.focal, 1 / by_file - 1, 0.0105);
+    EXPECT_NEAR(camera.applied.focal, 1 / by_file - 1, 0.0105);
     EXPECT_LT(figures.ate_percent, 0.25);
   }
 }
@@ -256,10 +256,11 @@ TEST(SelfCalibration, FindsTheRollingShutterOfAHandHeldCamera) {
   scene.shutter.rolling_s = 0.02;
   const RenderedSequence sequence = render_sequence(scene, 0, 170);
   for_each_seed(sequence.clip, sequence.truth, [](const RunAccuracy& figures) {
-    const CameraRefinement::Shutter& shutter = figures.run.camera.shutter;
-    const double readout_s = figures.run.camera.correction.readout_s;
-    std::cout << "[ figures  ] read-out " << readout_s << " s, +- " << shutter.sigma << std::endl;
-    EXPECT_EQ(shutter.state, CameraRefinement::State::kApplied);
+    const CameraPosterior& camera = figures.run.camera;
+    const double readout_s = figures.run.camera.applied.readout_s;
+    std::cout << "[ figures  ] read-out " << readout_s << " s, +- "
+              << camera.given.sigma_of(CameraNumber::kReadout) << std::endl;
+    EXPECT_EQ(camera.state_of(CameraNumber::kReadout), CameraPosterior::State::kApplied);
     EXPECT_NEAR(readout_s, 0.02, 0.007);
     EXPECT_EQ(figures.completion, 1);
     EXPECT_LT(figures.ate_percent, 0.15);
@@ -274,7 +275,7 @@ TEST(SelfCalibration, FindsTheRollingShutterThatMakesTheMapDoubtful) {
   ClipSource source(sequence.clip);
   const RunAccuracy figures = measure(run_source(source), sequence.truth);
   std::cout << "[ figures  ] " << figures << std::endl;
-  EXPECT_NEAR(figures.run.camera.correction.readout_s, scene.shutter.rolling_s, 0.008);
+  EXPECT_NEAR(figures.run.camera.applied.readout_s, scene.shutter.rolling_s, 0.008);
   EXPECT_EQ(figures.completion, 1);
 }
 

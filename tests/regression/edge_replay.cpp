@@ -36,7 +36,7 @@ std::vector<MapPoint> points_of(const Run& run, size_t k) {
 
 std::deque<Keyframe> keyframes_of(const KeepingSource& source, const Run& run, const EdgeParams& params) {
   PyramidBuilder builder(source.camera(), params);
-  builder.set_correction(run.camera.correction);
+  builder.set_correction(run.camera.applied);
   std::deque<Keyframe> keyframes;
   for (size_t k = 0; k < run.keyframes.size(); ++k) {
     Keyframe keyframe;

@@ -117,9 +117,8 @@ class MadeEvents {
     window_.emplace_back(id, in_map(run_.keyframes[size_t(frame.reference_keyframe)]));
     if (window_.size() > kWindow) marginalise_oldest(events);
     adjust(events);
-    CameraRefinement camera;
-    camera.state = CameraRefinement::State::kTooEarly;
-    camera.keyframes = id;
+    CameraPosterior camera;
+    camera.given.keyframes = id;
     append(CameraEstimated{camera}, events);
   }
   void marginalise_oldest(FrameEvents* events) {

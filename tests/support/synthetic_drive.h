@@ -94,7 +94,7 @@ inline Map map_of(const std::vector<Keyframe>& drive, size_t count, size_t activ
 
 // The move of a trajectory, as the map applies it.
 struct CalibratedDrive {
-  CameraRefinement state;
+  CameraPosterior state;
   std::optional<MapMoved> moved;
   std::vector<Keyframe> drive;
 };

@@ -10,13 +10,14 @@
 namespace edgevo {
 namespace {
 
-std::string finding_of_k1(const CameraRefinement& c) {
-  if (c.sigma == 0) return "k1 was not estimated";
-  const std::string basis = std::to_string(c.keyframes) + " keyframes";
-  if (c.state == CameraRefinement::State::kInsignificant)
-    return "no significant residual distortion (k1 " + fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
-           ", " + basis + ")";
-  return "residual k1 " + fixed(c.correction.k1, 4) + " +- " + fixed(c.sigma, 4) +
+std::string finding_of_k1(const CameraPosterior& c) {
+  const double sigma = c.given.sigma_of(CameraNumber::kK1);
+  if (sigma == 0) return "k1 was not estimated";
+  const std::string basis = std::to_string(c.given.keyframes) + " keyframes";
+  if (c.applied.k1 == 0)
+    return "no significant residual distortion (k1 " + fixed(c.given.mean_of(CameraNumber::kK1), 4) + " +- " +
+           fixed(sigma, 4) + ", " + basis + ")";
+  return "residual k1 " + fixed(c.applied.k1, 4) + " +- " + fixed(sigma, 4) +
          " (one standard deviation), from " + basis;
 }
 
@@ -35,26 +36,25 @@ std::string change_text(const Camera& before, const FoldedCamera& after) {
              after.max_shift_px, after.max_error_px, after.rms_error_px);
 }
 
-std::string lens_seen(const CameraRefinement& c) {
-  const CameraRefinement::Lens& l = c.lens;
-  if (l.keyframes == 0) return {};
+std::string lens_seen(const CameraPosterior& c) {
+  const CameraGaussian& lens = c.whole;
+  if (lens.keyframes == 0) return {};
   return formatted(
       "by corners and matches, with k2 and focal length free: k1 %.4f +- %.4f, k2 %.4f +- %.4f, focal length "
       "%+.1f +- %.1f %%; %s not in the file (edgevo calibrate --from-motion writes all of them)\n",
-      l.k1, l.k1_sigma, l.k2, l.k2_sigma, 100 * l.focal, 100 * l.focal_sigma,
-      c.correction.focal == 0 ? "these are" : "k2 is");
+      lens.mean_of(CameraNumber::kK1), lens.sigma_of(CameraNumber::kK1), lens.mean_of(CameraNumber::kK2),
+      lens.sigma_of(CameraNumber::kK2), 100 * lens.mean_of(CameraNumber::kFocal), 100 * c.focal_sigma(),
+      c.applied.focal == 0 ? "these are" : "k2 is");
 }
 
 // Nothing is printed of one that is in the new file.
-std::string focal_length_seen(const CameraRefinement& c) {
-  constexpr double kSigmas = 3;
-  const CameraRefinement::FocalLength& f = c.focal_length;
-  if (c.correction.focal == 0 && std::abs(f.estimate) > kSigmas * f.sigma)
+std::string focal_length_seen(const CameraPosterior& c) {
+  if (c.applied.focal == 0 && std::abs(c.corners.focal) > kImprobable * c.corners.sigma)
     return formatted(
         "by corners, the focal length is %+.1f +- %.1f %% off the file's, which the run has not corrected: "
         "not in "
         "the file (calibrate from a board, --chessboard, or --from-motion)\n",
-        100 * f.estimate, 100 * f.sigma);
+        100 * c.corners.focal, 100 * c.corners.sigma);
   return {};
 }
 
@@ -80,27 +80,26 @@ std::string tried_lenses(const std::vector<TriedLens>& tried) {
 
 }  // namespace
 
-std::string finding(const CameraRefinement& c) {
-  if (c.correction.keeps_lens()) return finding_of_k1(c) + ": the camera stays as it was";
-  if (c.correction.focal == 0) return finding_of_k1(c);
-  return "focal length " + fixed(100 * c.correction.focal, 1) + " +- " + fixed(100 * c.lens.focal_sigma, 1) +
+std::string finding(const CameraPosterior& c) {
+  if (c.applied.keeps_lens()) return finding_of_k1(c) + ": the camera stays as it was";
+  if (c.applied.focal == 0) return finding_of_k1(c);
+  return "focal length " + fixed(100 * c.applied.focal, 1) + " +- " + fixed(100 * c.focal_sigma(), 1) +
          " % off the file's, by " +
-         (c.focal_length.windows > 0
-              ? "corners in " + std::to_string(c.focal_length.windows) + " windows of views and "
-              : std::string()) +
-         "the matches of " + std::to_string(c.lens.keyframes) + " keyframes; " + finding_of_k1(c);
+         (c.corners.windows > 0 ? "corners in " + std::to_string(c.corners.windows) + " windows of views and "
+                                : std::string()) +
+         "the matches of " + std::to_string(c.whole.keyframes) + " keyframes; " + finding_of_k1(c);
 }
 
 std::string run_calibration_text(const RunCalibration& run, const FoldedCamera& corrected) {
-  const CameraRefinement& c = run.refinement;
+  const CameraPosterior& c = run.refinement;
   std::string text = run.path + ": " + finding(c) + "\n";
-  if (!c.correction.keeps_lens()) text += change_text(run.camera, corrected);
+  if (!c.applied.keeps_lens()) text += change_text(run.camera, corrected);
   text += focal_length_seen(c) + lens_seen(c);
-  if (c.correction.readout_s != 0)
+  if (c.applied.readout_s != 0)
     text += formatted(
         "rolling shutter, read-out time %.4f s: camera files cannot hold it; pass it with --set "
         "camera.readout_s=%.4f\n",
-        c.correction.readout_s, c.correction.readout_s);
+        c.applied.readout_s, c.applied.readout_s);
   return text;
 }
 

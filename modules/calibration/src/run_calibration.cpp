@@ -2,6 +2,7 @@
 #include "edgevo/calibration/run_calibration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <sstream>
@@ -16,7 +17,7 @@
 namespace edgevo {
 namespace {
 
-using State = CameraRefinement::State;
+using State = CameraPosterior::State;
 
 constexpr int kLargestSide = 65535;  // pixels of a width or height: what image formats hold
 
@@ -57,47 +58,57 @@ void visit_camera(KeyVisitor& v, Camera* camera) {
   *camera = Camera(p, d);
 }
 
-State state_of(const std::string& name) {
-  const auto& names = refinement_state_names();
+State state_named(const std::string& name) {
+  const auto& names = camera_state_names();
   return State(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-void visit_refinement(KeyVisitor& v, std::string* state, CameraRefinement* c) {
+// A number of the posterior and its standard deviation.
+void read_number(KeyVisitor& v, const std::string& value_key, const std::string& sigma_key, CameraNumber n,
+                 CameraGaussian* g) {
+  double value = 0, sigma = 0;
+  const Numbers any;
+  any.read(v, value_key.c_str(), value);
+  any.read(v, sigma_key.c_str(), sigma);
+  g->set(n, value, sigma);
+}
+
+void visit_posterior(KeyVisitor& v, std::string* k1_state, CameraPosterior* c) {
   const auto g = v.group("self_calibration");
   std::string result;  // the states in words
-  std::string shutter = to_string(State::kOff), focal = shutter;
-  v.text("state", *state, refinement_state_names(), "");
-  v.text("result", result, {}, "");
+  const std::string off = to_string(State::kOff);
+  std::string shutter = off, focal = off;
+  constexpr int kMost = std::numeric_limits<int>::max();
   const Numbers any;
-  any.read(v, "residual_k1", c->correction.k1);
-  any.read(v, "estimate", c->estimate);
-  any.read(v, "standard_deviation", c->sigma);
-  v.integer("keyframes", c->keyframes, 0, std::numeric_limits<int>::max(), "");
-  CameraRefinement::FocalLength& f = c->focal_length;
-  v.text("focal", focal, refinement_state_names(), "");
+  v.text("state", *k1_state, camera_state_names(), "");
+  v.text("result", result, {}, "");
+  any.read(v, "residual_k1", c->applied.k1);
+  read_number(v, "estimate", "standard_deviation", CameraNumber::kK1, &c->given);
+  v.integer("keyframes", c->given.keyframes, 0, kMost, "");
+  v.text("focal", focal, camera_state_names(), "");
   v.text("focal_result", result, {}, "");
-  any.read(v, "residual_focal", c->correction.focal);
-  any.read(v, "focal_estimate", f.estimate);
-  any.read(v, "focal_standard_deviation", f.sigma);
-  v.integer("focal_windows", f.windows, 0, std::numeric_limits<int>::max(), "");
-  f.state = state_of(focal);
-  CameraRefinement::Shutter& s = c->shutter;
-  v.text("shutter", shutter, refinement_state_names(), "");
+  any.read(v, "residual_focal", c->applied.focal);
+  any.read(v, "focal_estimate", c->corners.focal);
+  any.read(v, "focal_standard_deviation", c->corners.sigma);
+  v.integer("focal_windows", c->corners.windows, 0, kMost, "");
+  v.text("shutter", shutter, camera_state_names(), "");
   v.text("shutter_result", result, {}, "");
-  any.read(v, "readout_s", c->correction.readout_s);
-  any.read(v, "readout_estimate", s.estimate);
-  any.read(v, "readout_standard_deviation", s.sigma);
-  v.integer("readout_keyframes", s.keyframes, 0, std::numeric_limits<int>::max(), "");
-  s.state = state_of(shutter);
-  CameraRefinement::Lens& l = c->lens;
+  any.read(v, "readout_s", c->applied.readout_s);
+  read_number(v, "readout_estimate", "readout_standard_deviation", CameraNumber::kReadout, &c->given);
+  v.integer("readout_keyframes", c->given.keyframes, 0, kMost, "");
   v.text("lens_result", result, {}, "");
-  any.read(v, "lens_k1", l.k1);
-  any.read(v, "lens_k1_standard_deviation", l.k1_sigma);
-  any.read(v, "lens_k2", l.k2);
-  any.read(v, "lens_k2_standard_deviation", l.k2_sigma);
-  any.read(v, "lens_focal", l.focal);
-  any.read(v, "lens_focal_standard_deviation", l.focal_sigma);
-  v.integer("lens_keyframes", l.keyframes, 0, std::numeric_limits<int>::max(), "");
+  read_number(v, "lens_k1", "lens_k1_standard_deviation", CameraNumber::kK1, &c->whole);
+  read_number(v, "lens_k2", "lens_k2_standard_deviation", CameraNumber::kK2, &c->whole);
+  read_number(v, "lens_focal", "lens_focal_standard_deviation", CameraNumber::kFocal, &c->whole);
+  v.integer("lens_keyframes", c->whole.keyframes, 0, kMost, "");
+  // What is stated has what matches may miss in it.
+  const double focal_error = c->whole.mean_of(CameraNumber::kFocal),
+               stated = c->whole.sigma_of(CameraNumber::kFocal),
+               missed = kMissedByMatches * (focal_error - c->applied.focal);
+  c->whole.set(CameraNumber::kFocal, focal_error,
+               std::sqrt(std::max(0.0, stated * stated - missed * missed)));
+  c->is_sought = {*k1_state != off && !k1_state->empty(), shutter != off, false, focal != off};
+  if (shutter == off) c->readout_given_s = c->applied.readout_s;
 }
 
 }  // namespace
@@ -112,12 +123,12 @@ RunCalibration read_run_calibration(const std::string& run_folder) {
                      "calibrate from a board (edgevo calibrate --chessboard)");
   read_params(groups, run.path, [&](ParamVisitor& v) {
     visit_camera(v, &run.camera);
-    visit_refinement(v, &state, &run.refinement);
+    visit_posterior(v, &state, &run.refinement);
   });
   if (run.camera.width == 0) throw InputError(run.path, "holds no camera", kRemedy);
   if (state.empty()) throw InputError(run.path, "lacks the state of self_calibration", kRemedy);
   run.camera.check(run.path);
-  run.refinement.state = state_of(state);
+  run.k1_state = state_named(state);
   return run;
 }
 
@@ -140,9 +151,8 @@ RunCalibration read_run_calibration(const std::string& run_folder, const std::st
 
 FoldedCamera corrected_camera(const RunCalibration& run) {
   // Whatever is known of k1.
-  if (run.refinement.correction.focal != 0)
-    return fold_residual(run.camera, run.refinement.correction, run.path);
-  switch (run.refinement.state) {
+  if (run.refinement.applied.focal != 0) return fold_residual(run.camera, run.refinement.applied, run.path);
+  switch (run.k1_state) {
     case State::kOff:
       throw InputError(run.path, "self-calibration was off", "run again without --set camera.refine=none");
     case State::kTooEarly:
@@ -161,7 +171,7 @@ FoldedCamera corrected_camera(const RunCalibration& run) {
     case State::kApplied:
       break;
   }
-  return fold_residual(run.camera, run.refinement.correction, run.path);
+  return fold_residual(run.camera, run.refinement.applied, run.path);
 }
 
 }  // namespace edgevo

@@ -132,7 +132,7 @@ void write_final_map(Database* grown, const Run& run, const std::string& path) {
   if (!texts) throw DatabaseError("its description is damaged");
   const bool is_final = texts->count("finished") > 0 && texts->at("finished") == "1";
   write_whole_map(path, [&](Database* target) {
-    write_texts(target, finished_texts(*texts, {run.scale_source, run.scale.sigma, run.camera.correction}));
+    write_texts(target, finished_texts(*texts, {run.scale_source, run.scale.sigma, run.camera.applied}));
     const FinalPlaces places = write_keyframes(grown, is_final, run, target);
     write_constraints(grown, run, places, target);
   });

@@ -116,7 +116,7 @@ std::vector<ImmaturePoint> Mapper::first_points(const Keyframe& keyframe,
 MapUpdate Mapper::process(const TrackedFrame& tracked) {
   MapUpdate update;
   // With images of the camera before, only a keyframe, or the end of a doubt, is worth new ones.
-  const bool is_outdated = !(tracked.pyramid->correction == calibration_.state().correction);
+  const bool is_outdated = !(tracked.pyramid->correction == calibration_.state().applied);
   if (is_outdated && options_.own_threads && !tracked.is_needed() && tracked.return_to < 0) return update;
   const TrackedFrame frame = corrected(with_corners(tracked, &update.times));
   const auto& known = reference_->T_keyframe_world;
@@ -158,7 +158,7 @@ TrackedFrame Mapper::with_corners(TrackedFrame frame, StageTimes* times) {
 // corners, which were measured in the old ones.
 TrackedFrame Mapper::corrected(const TrackedFrame& tracked) const {
   TrackedFrame frame = tracked;
-  const ImageCorrection now = calibration_.state().correction;
+  const ImageCorrection now = calibration_.state().applied;
   if (tracked.pyramid->correction == now) return frame;
   frame.pyramid = options_.rebuild(*tracked.pyramid, tracked.motion, now);
   frame.corners.clear();

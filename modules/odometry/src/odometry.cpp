@@ -64,7 +64,7 @@ Odometry::Impl::Impl(const Rectification& rectification, const OdometryParams& p
       map(rectification, p.edges, mapper_params(p), map_options(o), log),
       bootstrapper(rectification, tracking_params(p), p.mapping.bootstrap, o.seed, &map, &frames,
                    [this](Timestamp a, Timestamp b) { return front_end.gyro().turn(a, b); }) {
-  front_end.set_correction(map.initial_camera().correction);
+  front_end.set_correction(map.initial_camera().applied);
   if (p.health.corners) corners.emplace(), focal.emplace(front_end.rectification());
   if (o.forget) frames.forget();
   if (o.gyro) front_end.gyro() = GyroAid(*o.gyro);
@@ -119,9 +119,9 @@ void Odometry::Impl::require_open(const std::string& where) const {
 void Odometry::Impl::change_reference(const Frame& frame) {
   const std::shared_ptr<const Reference> newest = map.reference();
   const ImageCorrection before = front_end.correction();
-  if (newest != front_end.reference() && newest->camera.correction != before) {
+  if (newest != front_end.reference() && newest->camera.applied != before) {
     const TraceScope traced("correction of the images");
-    map.correct(&front_end.builder(), newest->camera.correction);
+    map.correct(&front_end.builder(), newest->camera.applied);
   }
   front_end.change_reference(newest);
   if (front_end.correction() == before) return;

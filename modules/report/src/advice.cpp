@@ -75,7 +75,7 @@ void add_doubtful(const Run& run, std::vector<Advice>* list) {
 }
 
 void add_camera(const Run& run, const RunInfo& info, std::vector<Advice>* list) {
-  if (run.camera.state == CameraRefinement::State::kApplied && info.camera.plumb_bob())
+  if (run.camera.state_of(CameraNumber::kK1) == CameraPosterior::State::kApplied && info.camera.plumb_bob())
     list->push_back(
         {"The camera file does not cover all of the lens distortion; write a camera file with the correction "
          "that was found:",

@@ -172,7 +172,7 @@ EdgePictures draw_views(const Run& run, const Camera& camera, const PointFilter&
   std::vector<std::vector<SeenPoint>> seen;
   for (const View& view : views) seen.push_back(points_seen(run, view, filter));
   set_range(seen, &result);
-  const PictureMaps maps(Rectification(camera, run.pinhole).maps(run.camera.correction));
+  const PictureMaps maps(Rectification(camera, run.pinhole).maps(run.camera.applied));
   const double scale = picture_scale(run.pinhole.width);
   for (size_t i = 0; i < views.size(); ++i) {
     const cv::Mat gray = rectified(image_path(views[i].frame_index), camera, maps);

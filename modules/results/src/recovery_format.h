@@ -11,7 +11,7 @@
 namespace edgevo {
 
 /// First line of the file. Its number is the version of the layout.
-constexpr std::string_view kRecoveryFirstLine = "edgevo recovery log 15\n";
+constexpr std::string_view kRecoveryFirstLine = "edgevo recovery log 16\n";
 /// Name of the window file while it is being written, before it replaces kRunWindow.
 constexpr const char* kNextRunWindow = "unfinished_window.bin.new";
 

@@ -204,17 +204,17 @@ void visit_keyframe(Visit& v, Keyframe& k) {
   v.list(k.lines, [&](auto& line) { visit_line(v, line); });
 }
 
-template <class Visit, class Refinement>
-void visit_refinement(Visit& v, Refinement& c) {
-  v.plain(c.state), v.plain(c.correction), v.plain(c.estimate), v.plain(c.sigma), v.plain(c.keyframes);
-  auto& s = c.shutter;
-  v.plain(s.state), v.plain(s.estimate), v.plain(s.sigma), v.plain(s.keyframes);
-  auto& f = c.focal_length;
-  v.plain(f.state), v.plain(f.estimate), v.plain(f.sigma), v.plain(f.windows);
-  v.plain(f.windows_rejected);
-  auto& l = c.lens;
-  v.plain(l.k1), v.plain(l.k2), v.plain(l.focal), v.plain(l.k1_sigma), v.plain(l.k2_sigma);
-  v.plain(l.focal_sigma), v.plain(l.keyframes);
+template <class Visit, class Gaussian>
+void visit_camera_gaussian(Visit& v, Gaussian& g) {
+  visit_numbers(v, g.mean), visit_numbers(v, g.covariance), v.plain(g.keyframes);
+}
+
+template <class Visit, class Posterior>
+void visit_camera_posterior(Visit& v, Posterior& c) {
+  visit_camera_gaussian(v, c.whole), visit_camera_gaussian(v, c.given);
+  v.plain(c.applied), v.plain(c.readout_given_s), v.plain(c.is_sought);
+  auto& corners = c.corners;
+  v.plain(corners.focal), v.plain(corners.sigma), v.plain(corners.windows), v.plain(corners.windows_weighed);
 }
 
 template <class Visit, class Correction>
@@ -303,7 +303,7 @@ void visit(Visit& v, typename Visit::template Value<LinesFinished>& e) {
 
 template <class Visit>
 void visit(Visit& v, typename Visit::template Value<CameraEstimated>& e) {
-  visit_refinement(v, e.camera);
+  visit_camera_posterior(v, e.camera);
 }
 
 template <class Visit>

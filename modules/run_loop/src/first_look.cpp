@@ -19,14 +19,14 @@ constexpr int kMostLookedAt = 90;
 // That are kept for it: ninety images of four megapixels.
 constexpr size_t kMostBytes = 400'000'000;
 
-bool is_rolling(const CameraRefinement& camera) {
-  return camera.shutter.state == CameraRefinement::State::kApplied;
+bool is_rolling(const CameraPosterior& camera) {
+  return camera.state_of(CameraNumber::kReadout) == CameraPosterior::State::kApplied;
 }
 
 // A read-out time has converged by the first estimate of k1. Where the estimate before shows none, the rows
 // are straight, or bend too little to matter.
-bool is_decided(const CameraRefinement& camera, int min_keyframes) {
-  return camera.shutter.keyframes >= (is_rolling(camera) ? min_keyframes : min_keyframes / 2);
+bool is_decided(const CameraPosterior& camera, int min_keyframes) {
+  return camera.given.keyframes >= (is_rolling(camera) ? min_keyframes : min_keyframes / 2);
 }
 
 // The smallest half, quarter or less of an image that shows by how much its rows bend: VGA halved finds a
@@ -62,7 +62,7 @@ class FrameFollower {
       if (const auto* found = std::get_if<CameraEstimated>(event.get())) camera_ = found->camera;
     return !is_decided(camera_, min_keyframes_);
   }
-  const CameraRefinement& camera() const { return camera_; }
+  const CameraPosterior& camera() const { return camera_; }
 
  private:
   LenientSource frames_;
@@ -70,7 +70,7 @@ class FrameFollower {
   Odometry odometry_;
   MapCursor events_;
   int min_keyframes_;
-  CameraRefinement camera_;
+  CameraPosterior camera_;
 };
 
 }  // namespace
@@ -81,8 +81,8 @@ bool takes_first_look(const ImageSource& source, const OdometryParams& params,
   return is_to_be_found && !options.on_schedule && !source.is_live() && bool(source.gyro_readings());
 }
 
-std::optional<CameraRefinement> first_look(FirstFrames* source, OdometryParams params,
-                                           OdometryOptions options, const std::function<bool()>& stop) {
+std::optional<CameraPosterior> first_look(FirstFrames* source, OdometryParams params, OdometryOptions options,
+                                          const std::function<bool()>& stop) {
   const TraceScope traced("first look");
   options.map_log = std::make_shared<MapLog>();
   options.log = {};
@@ -91,7 +91,7 @@ std::optional<CameraRefinement> first_look(FirstFrames* source, OdometryParams p
   params.edge_map.mode = "off";
   options.working_pinhole = at_a_glance(rectification_of(source->camera(), options).target());
   source->keep();
-  std::optional<CameraRefinement> found;
+  std::optional<CameraPosterior> found;
   try {
     FrameFollower look(source, params, options);
     for (int i = 0; i < kMostLookedAt && source->kept_bytes() < kMostBytes && !stop() && look.follow_next();

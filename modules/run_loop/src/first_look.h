@@ -24,7 +24,7 @@ bool takes_first_look(const ImageSource& source, const OdometryParams& params,
 
 /// The camera by the first frames of `source`, if its shutter rolls. Cost: 20 ms for each of up to
 /// kMostLookedAt frames, whose images are kept.
-std::optional<CameraRefinement> first_look(FirstFrames* source, OdometryParams params,
-                                           OdometryOptions options, const std::function<bool()>& stop);
+std::optional<CameraPosterior> first_look(FirstFrames* source, OdometryParams params, OdometryOptions options,
+                                          const std::function<bool()>& stop);
 
 }  // namespace edgevo

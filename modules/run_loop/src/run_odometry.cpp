@@ -125,18 +125,18 @@ void begin_with_camera(FirstFrames* first, const OdometryParams& params, const S
   options->camera = first_look(first, params, *options, stop);
   if (options->camera && options->log)
     options->log(formatted("the first frames show a rolling shutter of %.1f ms: all are processed with it",
-                           1e3 * options->camera->correction.readout_s));
+                           1e3 * options->camera->applied.readout_s));
 }
 
 // Where there was no first look, and nobody said it: on a schedule, or without a gyro.
 void say_found_shutter(const RunLoop& loop, double given_readout_s) {
-  const CameraRefinement& camera = loop.result->run.camera;
+  const CameraPosterior& camera = loop.result->run.camera;
   if (given_readout_s != 0 || loop.options.camera || !loop.options.log) return;
-  if (camera.shutter.state == CameraRefinement::State::kApplied)
+  if (camera.state_of(CameraNumber::kReadout) == CameraPosterior::State::kApplied)
     loop.options.log(
         formatted("a rolling shutter of %.1f ms was found on the way: camera.readout_s=%.4f makes it "
                   "known from the first frame on",
-                  1e3 * camera.correction.readout_s, camera.correction.readout_s));
+                  1e3 * camera.applied.readout_s, camera.applied.readout_s));
 }
 
 // What `work`, which takes frames from the source, throws; nothing once the caller has stopped the run.

@@ -17,19 +17,17 @@ struct SeenFocalLength {
 
 // Corners also where there was no map to be adjusted.
 std::optional<SeenFocalLength> contradicting_focal_length(const Run& run) {
-  constexpr double kSigmas = 3;
   const auto newest = std::find_if(run.frames.rbegin(), run.frames.rend(), [](const FrameRecord& frame) {
     return std::isfinite(frame.evidence.focal_error);
   });
   if (newest != run.frames.rend()) {
     const FrameEvidence& e = newest->evidence;
-    if (std::abs(e.focal_error) > kSigmas * e.focal_error_sigma)
+    if (std::abs(e.focal_error) > kImprobable * e.focal_error_sigma)
       return SeenFocalLength{e.focal_error, e.focal_error_sigma};
   }
-  const CameraRefinement::Lens& lens = run.camera.lens;
-  if (run.camera.correction.focal != 0) return std::nullopt;
-  if (lens.contradicts_file()) return SeenFocalLength{lens.focal, lens.focal_sigma};
-  return std::nullopt;
+  const CameraPosterior& camera = run.camera;
+  if (camera.applied.focal != 0 || !camera.contradicts_focal_length()) return std::nullopt;
+  return SeenFocalLength{camera.whole.mean_of(CameraNumber::kFocal), camera.focal_sigma()};
 }
 
 // Images that are corrupt as a whole.
@@ -59,24 +57,22 @@ std::vector<std::string> image_faults_in_words(const Run& run) {
 
 }  // namespace
 
-bool ran_to_limit(const CameraRefinement& camera) {
-  constexpr double kClamped = 0.999;  // rounding may differ
-  return camera.sigma > 0 && std::abs(camera.estimate) >= kClamped * kLargestResidualK1;
-}
-
 std::vector<std::string> run_warnings(const Run& run) {
   std::vector<std::string> warnings = image_faults_in_words(run);
-  const CameraRefinement& c = run.camera;
-  if (c.state == CameraRefinement::State::kAtLimit)
+  const CameraPosterior& c = run.camera;
+  using State = CameraPosterior::State;
+  const State k1 = c.state_of(CameraNumber::kK1);
+  const std::string k1_mean = fixed(c.given.mean_of(CameraNumber::kK1), 4);
+  if (k1 == State::kAtLimit)
     warnings.push_back(
-        "The lens distortion that self-calibration found (" + fixed(c.estimate, 4) +
+        "The lens distortion that self-calibration found (" + k1_mean +
         ") is at its limit and was not applied: the camera file is probably wrong, in its focal length most "
         "of all, or by distortion for images that are rectified already. Path and map are then wrong by far "
         "more than any figure here shows.");
   // Its prior keeps an estimate that nothing supports near 0, however straight the motion.
-  if (c.state == CameraRefinement::State::kNotObservable && ran_to_limit(c))
-    warnings.push_back("The lens distortion that self-calibration looked for ran to its limit (" +
-                       fixed(c.estimate, 4) + " +- " + fixed(c.sigma, 4) +
+  if (k1 == State::kNotObservable && c.is_at_limit(CameraNumber::kK1))
+    warnings.push_back("The lens distortion that self-calibration looked for ran to its limit (" + k1_mean +
+                       " +- " + fixed(c.given.sigma_of(CameraNumber::kK1), 4) +
                        ") and was not applied: the camera file is probably wrong, in its focal length, its "
                        "image size or its distortion (is the image rectified already?), or the path is.");
   if (const std::optional<SeenFocalLength> seen = contradicting_focal_length(run))
@@ -84,14 +80,14 @@ std::vector<std::string> run_warnings(const Run& run) {
                        fixed(100 * seen->sigma, 1) +
                        " % off the camera file's: calibrate the camera (edgevo calibrate --chessboard, or "
                        "--from-motion).");
-  if (c.correction.focal != 0)
+  if (c.applied.focal != 0)
     warnings.push_back(
-        "The focal length is " + fixed(100 * c.correction.focal, 1) + " +- " +
-        fixed(100 * c.lens.focal_sigma, 1) +
+        "The focal length is " + fixed(100 * c.applied.focal, 1) + " +- " + fixed(100 * c.focal_sigma(), 1) +
         " % off the camera file's, by the motion, and was corrected during the run. Run again with a "
         "camera file of edgevo calibrate RUN, or of a board (edgevo calibrate --chessboard).");
-  if (c.shutter.state == CameraRefinement::State::kAtLimit)
-    warnings.push_back("The read-out time that self-calibration found (" + fixed(c.shutter.estimate, 3) +
+  if (c.state_of(CameraNumber::kReadout) == State::kAtLimit)
+    warnings.push_back("The read-out time that self-calibration found (" +
+                       fixed(c.given.mean_of(CameraNumber::kReadout), 3) +
                        " s) is at its limit and was not applied: the camera file or the times of the images "
                        "are probably wrong.");
   if (run.is_metric() && run.scale_varies())

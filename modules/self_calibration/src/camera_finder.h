@@ -11,20 +11,18 @@ namespace edgevo {
 
 /// Outcome of an estimate.
 struct CameraDecision {
-  /// Knowledge after the estimate; its values are those of `estimate`, or as before.
-  CameraRefinement state;
+  /// Knowledge after the estimate; what it applies is that of `estimate`, or as before.
+  CameraPosterior state;
   /// The estimate, if something is to be applied.
   std::optional<CameraEstimate> estimate;
-  /// Whether nothing but the focal length was weighed, since corners contradict it.
-  bool is_of_focal_length = false;
 };
 
-/// Estimates the camera. Before `params.min_keyframes` only the read-out time is estimated: k1 becomes
-/// observable later. From then on k1 is, and the read-out time with it if it is known already or if one more
-/// step indicates a rolling shutter. Before either, the posterior of the focal length is weighed
-/// (focal_length.h); where corners contradict the one in use, it alone. `known`: results of earlier
-/// estimates.
-CameraDecision find_camera(const CameraProblem& problem, const CameraRefinement& known,
+/// Estimates the camera. First the posterior of all its numbers is weighed for the focal length
+/// (focal_length.h), unless the map is in doubt and corners do not say that it is so because of that; then
+/// that of k1 and the read-out time with the focal length given. By either a number is applied where the
+/// file's is improbable and keyframes held back do not speak against it, and given up where it no longer is.
+/// `known`: results of earlier estimates.
+CameraDecision find_camera(const CameraProblem& problem, const CameraPosterior& known,
                            const SelfCalibrationParams& params, const BaOptions& options);
 
 }  // namespace edgevo

@@ -19,7 +19,7 @@ const Unknowns kEnough = Unknowns::Constant(1e-4);
 constexpr double kEnoughSigmas = 0.15;
 // Factor on the tolerance of the first solve: its solution is used only until the unknowns move.
 constexpr double kRough = 10;
-// What a run corrects: `if_all_free` is about these.
+// Derivatives by these alone take half the work.
 const CameraMask kRunUnknowns = only({kK1, kReadout});
 // Largest factor by which an inverse depth may change: beyond, a linear prediction of a far point is wrong.
 constexpr double kMaxIdepthChange = 2;
@@ -57,6 +57,7 @@ void predict(const ProfileStep& step, const Unknowns& change, BaProblem* problem
 // One Newton step of the free unknowns from k, with the standard deviations of the result; 0 for the others.
 struct NewtonStep {
   Unknowns change = Unknowns::Zero(), sigma = Unknowns::Zero();
+  UnknownsSquare covariance = UnknownsSquare::Zero();
 };
 NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, const Unknowns& k,
                        const CameraMask& free) {
@@ -73,9 +74,15 @@ NewtonStep newton_step(const ProfileStep& step, const CameraSearch& search, cons
   const UnknownsSquare inverse = curvature.inverse();
   NewtonStep n;
   n.change = -inverse * gradient;
-  const Unknowns sandwich = (inverse * score * inverse).diagonal();
+  // By the robust covariance, at least as large as the formal one.
+  const UnknownsSquare sandwich = inverse * score * inverse;
+  Unknowns ratio = Unknowns::Zero();
   for (int i = 0; i < kUnknowns; ++i)
-    if (free[i]) n.sigma[i] = std::sqrt(std::max(sandwich[i], inverse(i, i)));
+    if (free[i]) {
+      n.sigma[i] = std::sqrt(std::max(sandwich(i, i), inverse(i, i)));
+      ratio[i] = n.sigma[i] / std::sqrt(sandwich(i, i));
+    }
+  n.covariance = ratio.asDiagonal() * sandwich * ratio.asDiagonal();
   return n;
 }
 
@@ -165,11 +172,10 @@ CameraEstimate estimate_camera(const CameraProblem& problem, const CameraSearch&
         ba::profile_step(p, camera_derivative(current, e.value, points), options, only_run_unknowns);
     if (!step.usable) return e;
     const Unknowns k = e.value.unknowns();
-    const NewtonStep newton = newton_step(step, search, k, search.free),
-                     all = newton_step(step, search, k, search.free || kRunUnknowns);
+    const NewtonStep newton = newton_step(step, search, k, search.free);
     e.cost = result.final_cost;
-    e.sigma = search.free.select(newton.sigma, all.sigma);
-    e.if_all_free = k + all.change;
+    e.sigma = newton.sigma;
+    e.covariance = newton.covariance;
     e.solution = p;
     e.usable = true;
     const Unknowns next = (k + newton.change).cwiseMax(-search.limit).cwiseMin(search.limit);

@@ -9,6 +9,7 @@
 #include "camera_error.h"
 #include "edgevo/bundle_adjustment/profile.h"
 #include "edgevo/core/records.h"
+#include "edgevo/self_calibration/lens_estimate.h"
 
 namespace edgevo {
 
@@ -53,8 +54,8 @@ ba::GlobalDerivative camera_derivative(const CameraProblem& problem, const Camer
                                        const IdealPoints& points);
 
 /// Limits that an estimate is clamped to, and at which it is not trusted. Seconds for the read-out time.
-constexpr double kMaxK1 = kLargestResidualK1, kMaxReadout = 0.1, kMaxK2 = 0.5, kMaxFocal = 0.5,
-                 kMaxCentre = 0.2;
+constexpr double kMaxK1 = kLargestCameraError[0], kMaxReadout = kLargestCameraError[1],
+                 kMaxK2 = kLargestCameraError[2], kMaxFocal = kLargestCameraError[3], kMaxCentre = 0.2;
 
 /// How an estimate is made, with Gaussian priors around `prior`.
 struct CameraSearch {
@@ -62,8 +63,10 @@ struct CameraSearch {
   CameraError start;
   /// Free unknowns; the others stay at `start`.
   CameraMask free = only({kK1});
-  ba::Unknowns prior = ba::Unknowns::Zero(), prior_sigma = of_each(0.01, 0.03, 0.05, 0.3, 0.05),
-               limit = of_each(kMaxK1, kMaxReadout, kMaxK2, kMaxFocal, kMaxCentre);
+  ba::Unknowns prior = ba::Unknowns::Zero(),
+               limit = of_each(kMaxK1, kMaxReadout, kMaxK2, kMaxFocal, kMaxCentre),
+               /// In units of the matches' own: the largest error of a file is a standard deviation.
+      prior_sigma = limit / kSigmasOfMatches;
 };
 
 /// An estimate of the camera.
@@ -72,11 +75,10 @@ struct CameraEstimate {
   CameraError value;
   /// Free unknowns of the estimate.
   CameraMask free = only({});
-  /// Standard deviation of each unknown, cluster-robust (ProfileStep::score_square): of the free ones by
-  /// themselves, of the others as if all were free.
+  /// Standard deviation of each free unknown, cluster-robust (ProfileStep::score_square); 0 of the others.
   ba::Unknowns sigma = ba::Unknowns::Zero();
-  /// Result of one Newton step from `value` with all unknowns free: what the others appear to be.
-  ba::Unknowns if_all_free = ba::Unknowns::Zero();
+  /// Their covariance, of the same kind.
+  ba::UnknownsSquare covariance = ba::UnknownsSquare::Zero();
   /// Cost of the adjustment at `value`.
   double cost = 0;
   /// Poses and depths at `value`.

@@ -109,7 +109,6 @@ CameraSearch search_from(const CameraError& start, double k1) {
   search.start = start;
   search.free = only({kFocal, kK1});
   search.prior[kK1] = k1;
-  search.limit[kFocal] = kMaxFocalError;
   return search;
 }
 

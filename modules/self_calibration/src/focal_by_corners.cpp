@@ -2,7 +2,6 @@
 #include "edgevo/self_calibration/focal_by_corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "corner_bundle.h"
@@ -27,9 +26,8 @@ std::vector<FollowedCorner> by_file(std::vector<FollowedCorner> corners, const I
   return corners;
 }
 // A scatter of few windows is itself uncertain: 95 % quantile of Student's distribution over that of the
-// normal one, for kMinWindows windows and more.
-constexpr std::array<double, kMaxWindows - kMinWindows + 1> kStudent{2.20, 1.62, 1.42, 1.31,
-                                                                     1.25, 1.21, 1.18};
+// normal one, to one per cent from three windows on.
+double student(size_t windows) { return 1 + 1.2 / double(windows - 2); }
 
 }  // namespace
 
@@ -102,8 +100,7 @@ std::optional<FocalError> FocalByCorners::error() const {
   const double middle = median(windows);
   std::vector<double> deviations;
   for (const double w : windows) deviations.push_back(std::abs(w - middle));
-  const double scatter =
-      std::max(kMinScatter, kStudent[windows.size() - kMinWindows] * kSigmaOverMad * median(deviations));
+  const double scatter = std::max(kMinScatter, student(windows.size()) * kSigmaOverMad * median(deviations));
   const double sigma = std::hypot(kSigmaOfMedian * scatter / std::sqrt(double(windows.size())), kCommon);
   return FocalError{std::expm1(middle), std::exp(middle) * sigma, int(windows.size())};
 }

@@ -12,13 +12,6 @@
 namespace edgevo {
 namespace {
 
-// Of a camera file that describes its lens roughly: standard deviations.
-constexpr LensPrior kFile{0.3, kMaxK1, 0.1, 0};
-// Standard deviations from which corners are worth an adjustment of all keyframes (95 %).
-constexpr double kContradiction = 2;
-// What matches found with the camera in use still miss, over what they show: 0 to 1.1, rms 0.55 in ten first
-// estimates of files that were 5 to 20 % off.
-constexpr double kBiasOfMatches = 0.5;
 // Share of the largest error beyond which the true one may be larger still.
 constexpr double kSureUpTo = 0.95;
 
@@ -26,34 +19,33 @@ constexpr double kSureUpTo = 0.95;
 
 bool is_at_limit(double focal) { return std::abs(focal) > kSureUpTo * kMaxFocalError; }
 
-bool do_corners_contradict(const CameraRefinement& known) {
-  const CameraRefinement::FocalLength& corners = known.focal_length;
-  return corners.sigma > 0 && corners.windows > corners.windows_rejected && !is_at_limit(corners.estimate) &&
-         std::abs(corners.estimate - known.correction.focal) > kContradiction * corners.sigma;
+bool do_corners_contradict(const CameraPosterior& known) {
+  const CameraPosterior::Corners& corners = known.corners;
+  return corners.sigma > 0 && corners.windows > corners.windows_weighed && !is_at_limit(corners.focal) &&
+         std::abs(corners.focal - known.applied.focal) > kImprobable * corners.sigma;
 }
 
-CameraSearch search_for_camera(const CameraRefinement& known, bool with_readout, double readout_s) {
+CameraSearch search_for_camera(const CameraPosterior& known, bool with_readout, double readout_s) {
   CameraSearch s;
-  s.start = known.correction;
-  if (do_corners_contradict(known)) s.start.correction.focal = known.focal_length.estimate;
+  s.start = known.applied;
+  if (do_corners_contradict(known)) s.start.correction.focal = known.corners.focal;
   s.free = only({kK1, kK2, kFocal});
   s.free[kReadout] = with_readout;
   s.prior[kReadout] = readout_s;
-  s.prior_sigma = of_each(kFile.k1, kMaxReadout, kFile.k2, kFile.focal, 1) / kSigmasOfMatches;
   // With k2 free, too, k1 is larger than the residual that is applied alone.
-  s.limit[kK1] = kMaxK2, s.limit[kFocal] = kMaxFocalError;
+  s.limit[kK1] = kMaxK2;
   return s;
 }
 
-FocalPosterior focal_posterior(const CameraRefinement& known, const CameraEstimate& e) {
-  const CameraRefinement::FocalLength& corners = known.focal_length;
+FocalPosterior focal_posterior(const CameraPosterior& known, const CameraEstimate& e) {
+  const CameraPosterior::Corners& corners = known.corners;
   const double by_matches = e.value.correction.focal, sigma = kSigmasOfMatches * e.sigma[kFocal];
-  const double bias = kBiasOfMatches * (by_matches - known.correction.focal);
+  const double bias = kMissedByMatches * (by_matches - known.applied.focal);
   const double unbiased_weight = 1 / (sigma * sigma), weight = 1 / (sigma * sigma + bias * bias);
-  const bool do_corners_count = corners.sigma > 0 && !is_at_limit(corners.estimate);
+  const bool do_corners_count = corners.sigma > 0 && !is_at_limit(corners.focal);
   const double corner_weight = do_corners_count ? 1 / (corners.sigma * corners.sigma) : 0;
   FocalPosterior p;
-  p.mean = (weight * by_matches + corner_weight * corners.estimate) / (weight + corner_weight);
+  p.mean = (weight * by_matches + corner_weight * corners.focal) / (weight + corner_weight);
   p.sigma = 1 / std::sqrt(weight + corner_weight);
   p.sigma_in_use = 1 / std::sqrt(unbiased_weight + corner_weight);
   p.do_matches_agree = std::abs(by_matches) > sigma && by_matches * p.mean > 0;

@@ -12,12 +12,12 @@ namespace edgevo {
 bool is_at_limit(double focal);
 
 /// Whether corners contradict the focal length in use, by a window that was not weighed against the map yet.
-bool do_corners_contradict(const CameraRefinement& known);
+bool do_corners_contradict(const CameraPosterior& known);
 
 /// The search for the whole lens by the matches and the file, and for the read-out time if it is
 /// `with_readout`. It starts at the camera in use, but at the focal length of corners where they contradict
 /// that. `readout_s`: by the file.
-CameraSearch search_for_camera(const CameraRefinement& known, bool with_readout, double readout_s);
+CameraSearch search_for_camera(const CameraPosterior& known, bool with_readout, double readout_s);
 
 /// A focal length (ImageCorrection::focal) by all evidence.
 struct FocalPosterior {
@@ -33,7 +33,7 @@ struct FocalPosterior {
 /// That of the matches, of which `e` was found by search_for_camera(), together with what corners show.
 /// Matches were found with the camera in use and are biased towards it, the more the further they are from
 /// it.
-FocalPosterior focal_posterior(const CameraRefinement& known, const CameraEstimate& e);
+FocalPosterior focal_posterior(const CameraPosterior& known, const CameraEstimate& e);
 
 /// `problem` as cameras of the focal lengths `before` and, returned, `now` (ImageCorrection::focal) see it,
 /// to first order: where an adjustment with `now` starts. Depths stay.

@@ -18,18 +18,11 @@
 namespace edgevo {
 namespace {
 
-using State = CameraRefinement::State;
-
-// Keyframes: fewer hold the scale of a map that changes its shape less well.
-constexpr int kMinForFocalLength = 5;
 // Number of estimates during a run; the last one is the most expensive, about a second at 120 keyframes.
 constexpr int kCheckpoints = 3;
 
-// A read-out time is observable with fewer keyframes than k1, and each estimate improves the matches of the
-// next one.
-int first_checkpoint(const SelfCalibrationParams& p) {
-  return p.refines_readout() ? std::max(1, p.min_keyframes / 3) : p.min_keyframes;
-}
+// Each estimate improves the matches of the next one.
+int first_checkpoint(const SelfCalibrationParams& p) { return std::max(1, p.min_keyframes / 3); }
 int keyframes_of(const Map& map) { return int(map.marginalised().size() + map.active().size()); }
 int checkpoint_after(int keyframes, const SelfCalibrationParams& p) {
   return keyframes < p.min_keyframes ? std::min(p.min_keyframes, keyframes + (keyframes + 1) / 2)
@@ -53,51 +46,47 @@ void SelfCalibrationParams::visit(ParamVisitor& v) {
       kBasic, "refine", refine, {"none", "k1", "readout", "focal", "all"},
       "what is estimated during a run: residual radial distortion, read-out time of a rolling shutter, focal "
       "length; none: use the camera file as it is");
-  v.integer(kAdvanced, "min_keyframes", min_keyframes, 10, 200,
-            "keyframes at the first estimate of k1 (a third for the read-out time); twice as many at each "
-            "further one");
+  v.integer(
+      kAdvanced, "min_keyframes", min_keyframes, 10, 200,
+      "keyframes, a third of which are needed for the first estimate; from there on, twice as many at each "
+      "further one");
   v.number(kAdvanced, "significance", significance, 0, 100,
            "standard deviations from zero from which an estimate is applied");
   v.number(kBasic, "readout_s", readout_s, -0.2, 0.2,
            "read-out time of a rolling shutter, seconds from the first row to the last; 0: global shutter or "
            "unknown");
-  v.boolean(
-      kExperimental, "over_relax_readout", over_relax_readout,
-      "apply a third more than the estimated change of the read-out time: estimates come out too small");
+  v.boolean(kExperimental, "over_relax_readout", over_relax_readout,
+            "apply half more than the estimated change of the read-out time: estimates come out too small");
 }
 
 SelfCalibration::SelfCalibration(const Rectification& rectification, const SelfCalibrationParams& params)
     : rectification_(rectification), params_(params), next_checkpoint_(first_checkpoint(params)) {
-  if (params.refines_k1()) state_.state = State::kTooEarly;
-  if (params.refines_readout()) state_.shutter.state = State::kTooEarly;
-  if (refines_focal_length()) state_.focal_length.state = State::kTooEarly;
-  state_.correction.readout_s = params.readout_s;
+  state_.is_sought[size_t(CameraNumber::kK1)] = params.refines_k1();
+  state_.is_sought[size_t(CameraNumber::kReadout)] = params.refines_readout();
+  // Of another lens the focal length is no scale of its image.
+  state_.is_sought[size_t(CameraNumber::kFocal)] =
+      params.refines_focal_length() && rectification.camera().plumb_bob();
+  state_.applied.readout_s = state_.readout_given_s = params.readout_s;
 }
 
 SelfCalibration::SelfCalibration(SelfCalibration&&) noexcept = default;
 SelfCalibration& SelfCalibration::operator=(SelfCalibration&&) noexcept = default;
 SelfCalibration::~SelfCalibration() = default;
 
-void SelfCalibration::begin_with(const CameraRefinement& found) {
-  state_.shutter = found.shutter;
-  state_.correction.readout_s = found.correction.readout_s;
+void SelfCalibration::begin_with(const CameraPosterior& found) {
+  state_.given = found.given;
+  state_.applied.readout_s = found.applied.readout_s;
 }
 
 void SelfCalibration::note_focal_length(const FocalError& by_corners) {
-  if (!refines_focal_length()) return;
-  CameraRefinement::FocalLength& found = state_.focal_length;
-  found.estimate = by_corners.value, found.sigma = by_corners.sigma, found.windows = by_corners.windows;
-  if (found.state == State::kTooEarly) found.state = State::kInsignificant;
-}
-
-// Of another lens the focal length is no scale of its image.
-bool SelfCalibration::refines_focal_length() const {
-  return params_.refines_focal_length() && rectification_.camera().plumb_bob();
+  if (!state_.is_sought[size_t(CameraNumber::kFocal)]) return;
+  CameraPosterior::Corners& found = state_.corners;
+  found.focal = by_corners.value, found.sigma = by_corners.sigma, found.windows = by_corners.windows;
 }
 
 bool SelfCalibration::is_focal_length_due(const Map& map) const {
   if (job_) return job_->is_of_focal_length;
-  return needs_matches() && keyframes_of(map) >= kMinForFocalLength && do_corners_contradict(state_);
+  return needs_matches() && keyframes_of(map) >= first_checkpoint(params_) && do_corners_contradict(state_);
 }
 
 bool SelfCalibration::is_due(const Map& map) const {
@@ -118,7 +107,7 @@ void SelfCalibration::begin(const Map& map, const BaOptions& options) {
   job_ = std::make_unique<Job>();
   job_->moves = map.moves();
   job_->is_of_focal_length = do_corners_contradict(state_);
-  job_->history = make_history(rectification_, state_.correction, all_keyframes(map));
+  job_->history = make_history(rectification_, state_.applied, all_keyframes(map));
   job_->finding = std::async(std::launch::async,
                              [&problem = job_->history.problem, known = state_, params = params_, options] {
                                name_traced_thread("self-calibration");
@@ -142,9 +131,8 @@ std::optional<ImageCorrection> SelfCalibration::correction_found() {
 std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOptions& options, bool at_end) {
   if (!needs_matches() || map.active().empty()) return std::nullopt;
   const std::vector<const Keyframe*> keyframes = all_keyframes(map);
-  if (!job_ && int(keyframes.size()) < first_checkpoint(params_) && !is_focal_length_due(map))
-    return std::nullopt;
-  const CalibrationHistory history = make_history(rectification_, state_.correction, keyframes);
+  if (!job_ && int(keyframes.size()) < first_checkpoint(params_)) return std::nullopt;
+  const CalibrationHistory history = make_history(rectification_, state_.applied, keyframes);
   int known = int(keyframes.size());
   CameraDecision found;
   std::unique_ptr<Job> job = std::move(job_);
@@ -160,7 +148,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
   } else {
     found = find_camera(history.problem, state_, params_, options);
   }
-  const ImageCorrection before = state_.correction;
+  const ImageCorrection before = state_.applied;
   std::optional<MapMoved> moved;
   state_ = found.state;
   if (found.estimate) {
@@ -169,8 +157,7 @@ std::optional<MapMoved> SelfCalibration::estimate(const Map& map, const BaOption
                       &*found.estimate);
     moved->segment = map.segment();
   }
-  // k1 and the read-out time are still to be estimated.
-  if (!found.is_of_focal_length) pass_checkpoint(known, at_end);
+  pass_checkpoint(known, at_end);
   return moved;
 }
 

@@ -49,9 +49,8 @@ std::string not_usable_because(const NewestPose& view, double age_s, const Servo
 void ServoFeed::publish(const NewestPose& view, const KeptMapPose& kept) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool other_segment = view.reference && newest_.reference && view.segment != newest_.segment;
-  const bool other_camera =
-      view.reference && newest_.reference &&
-      !view.reference->camera.correction.has_lens_of(newest_.reference->camera.correction);
+  const bool other_camera = view.reference && newest_.reference &&
+                            !view.reference->camera.applied.has_lens_of(newest_.reference->camera.applied);
   if (other_segment || other_camera) ++map_version_;
   if (other_segment && scale_.is_metric()) {
     scale_.metres_per_unit *= view.odom_scale / last_odom_scale_;

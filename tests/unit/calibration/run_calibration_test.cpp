@@ -12,7 +12,7 @@ namespace edgevo {
 namespace {
 
 using ::testing::HasSubstr;
-using State = CameraRefinement::State;
+using State = CameraPosterior::State;
 
 template <class Call>
 std::string error_of(Call&& call) {
@@ -48,46 +48,45 @@ TEST_F(RunCalibrationFile, ReadsCameraAndRefinement) {
               "  residual_k1: 0.01234\n  estimate: 0.01234\n  standard_deviation: 0.002\n  keyframes: 61\n"));
   EXPECT_EQ(run.camera.pinhole().fx, 500.5);
   EXPECT_EQ(run.camera.distortion().k1, 0.1);
-  EXPECT_EQ(run.refinement.state, State::kApplied);
-  EXPECT_EQ(run.refinement.correction.k1, 0.01234);
-  EXPECT_EQ(run.refinement.sigma, 0.002);
-  EXPECT_EQ(run.refinement.keyframes, 61);
+  EXPECT_EQ(run.k1_state, State::kApplied);
+  EXPECT_EQ(run.refinement.applied.k1, 0.01234);
+  EXPECT_EQ(run.refinement.given.sigma_of(CameraNumber::kK1), 0.002);
+  EXPECT_EQ(run.refinement.given.keyframes, 61);
   const FoldedCamera corrected = corrected_camera(run);
   EXPECT_NEAR(corrected.camera.distortion().k1, 0.1123, 0.002);
   EXPECT_LT(corrected.max_error_px, 0.01);
 }
 
 TEST_F(RunCalibrationFile, ReadsTheShutter) {
-  const CameraRefinement refinement =
+  const CameraPosterior refinement =
       read(summary(
                "insignificant",
                "  residual_k1: 0\n  shutter: \"applied\"\n  shutter_result: \"rows: rectified\"\n  "
                "readout_s: 0.0221\n"
                "  readout_estimate: 0.0217\n  readout_standard_deviation: 0.0015\n  readout_keyframes: 30\n"))
           .refinement;
-  const CameraRefinement::Shutter& read_back = refinement.shutter;
-  EXPECT_EQ(read_back.state, State::kApplied);
-  EXPECT_EQ(refinement.correction.readout_s, 0.0221);
-  EXPECT_EQ(read_back.estimate, 0.0217);
-  EXPECT_EQ(read_back.sigma, 0.0015);
-  EXPECT_EQ(read_back.keyframes, 30);
-  EXPECT_EQ(read(summary("insignificant")).refinement.shutter.state, State::kOff)
+  EXPECT_EQ(refinement.state_of(CameraNumber::kReadout), State::kApplied);
+  EXPECT_EQ(refinement.applied.readout_s, 0.0221);
+  EXPECT_EQ(refinement.given.mean_of(CameraNumber::kReadout), 0.0217);
+  EXPECT_EQ(refinement.given.sigma_of(CameraNumber::kReadout), 0.0015);
+  EXPECT_EQ(refinement.given.keyframes, 30);
+  EXPECT_EQ(read(summary("insignificant")).refinement.state_of(CameraNumber::kReadout), State::kOff)
       << "a run of an earlier version";
 }
 
 TEST_F(RunCalibrationFile, ReadsTheWholeLens) {
-  const CameraRefinement::Lens lens =
+  const CameraPosterior found =
       read(summary("insignificant",
                    "  residual_k1: 0\n  lens_result: \"not applied: x\"\n  lens_k1: 0.02\n"
                    "  lens_k1_standard_deviation: 0.004\n  lens_k2: -0.01\n"
                    "  lens_k2_standard_deviation: 0.003\n  lens_focal: 0.006\n"
                    "  lens_focal_standard_deviation: 0.005\n  lens_keyframes: 60\n"))
-          .refinement.lens;
-  EXPECT_EQ(lens.k2, -0.01);
-  EXPECT_EQ(lens.k2_sigma, 0.003);
-  EXPECT_EQ(lens.focal, 0.006);
-  EXPECT_EQ(lens.focal_sigma, 0.005);
-  EXPECT_EQ(lens.keyframes, 60);
+          .refinement;
+  EXPECT_EQ(found.whole.mean_of(CameraNumber::kK2), -0.01);
+  EXPECT_EQ(found.whole.sigma_of(CameraNumber::kK2), 0.003);
+  EXPECT_EQ(found.whole.mean_of(CameraNumber::kFocal), 0.006);
+  EXPECT_NEAR(found.focal_sigma(), 0.005, 1e-12);
+  EXPECT_EQ(found.whole.keyframes, 60);
 }
 
 TEST_F(RunCalibrationFile, InsignificantRefinementLeavesTheCamera) {

@@ -66,13 +66,13 @@ class MapRoundTrip : public ::testing::Test {
 
 TEST_F(MapRoundTrip, AFinishedMapIsInTheWorldOfTheRun) {
   made_.run.scale_source = "odometry", made_.run.scale.sigma = 0.01;
-  made_.run.camera.correction = {0.01, 0.02, 0.003};
+  made_.run.camera.applied = {0.01, 0.02, 0.003};
   made_.write(path_);
   const KeptMap map = read_map(path_);
   EXPECT_TRUE(map.is_finished);
   EXPECT_EQ(map.scale_source, "odometry");
   EXPECT_EQ(map.scale_sigma, 0.01);
-  EXPECT_EQ(map.correction, made_.run.camera.correction);
+  EXPECT_EQ(map.correction, made_.run.camera.applied);
   EXPECT_EQ(map.store.pinhole(), made_.header.pinhole);
   EXPECT_EQ(map.header.camera, made_.header.camera);
   EXPECT_EQ(map.header.source, made_.header.source);

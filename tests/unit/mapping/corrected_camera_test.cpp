@@ -59,7 +59,7 @@ class CorrectedCamera : public testing::Test {
     frame_ += kKeyframeStep - 1;
     return process(true);
   }
-  bool is_corrected() const { return driver_.mapper.camera().correction != ImageCorrection(); }
+  bool is_corrected() const { return driver_.mapper.camera().applied != ImageCorrection(); }
   int made_in_parallel() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return made_beside_;
@@ -114,11 +114,11 @@ TEST_F(CorrectedCamera, IsAppliedBetweenKeyframesOnceAllImagesAreThere) {
   EXPECT_EQ(update.keyframe_id, -1) << "the frame makes no keyframe";
   EXPECT_EQ(made_by_mapping(), 0) << "the map waits for no image";
   EXPECT_GE(made_in_parallel(), int(driver_.mapper.window().keyframes().size()));
-  const ImageCorrection now = driver_.mapper.camera().correction;
+  const ImageCorrection now = driver_.mapper.camera().applied;
   for (const Keyframe& k : driver_.mapper.window().keyframes()) EXPECT_EQ(k.pyramid->correction, now) << k.id;
   const auto after = driver_.mapper.reference();
   EXPECT_EQ(after->keyframe_id, before->keyframe_id);
-  EXPECT_EQ(after->camera.correction, now);
+  EXPECT_EQ(after->camera.applied, now);
   EXPECT_GT(after->moves, before->moves);
 }
 

@@ -108,7 +108,7 @@ TEST_F(FileFormats, KeysOfTheSummary) {
   run.scale_source = "factor=2";
   run.scale.problem = "none";
   run.scale.faults.emplace_back();
-  run.camera.sigma = run.camera.shutter.sigma = 0.1;
+  run.camera.given.set(CameraNumber::kK1, 0, 0.1), run.camera.given.set(CameraNumber::kReadout, 0, 0.1);
   for (FrameRecord& frame : run.frames) frame.latency_ms = 1;
   write(folder_, run, made_.camera);
   const std::vector<std::string> keys = summary_keys(content(folder_ / "summary.yaml"));

@@ -69,7 +69,7 @@ inline void expect_same_run(const Run& a, const Run& b) {
   EXPECT_EQ(frames_csv(a), frames_csv(b));
   for (size_t k = 0; k < a.keyframes.size(); ++k)
     EXPECT_TRUE(are_same(a.keyframes[k].lines, b.keyframes[k].lines)) << k;
-  EXPECT_EQ(a.camera.keyframes, b.camera.keyframes);
+  EXPECT_EQ(a.camera.given.keyframes, b.camera.given.keyframes);
 }
 
 }  // namespace edgevo::test

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
 #include <mrpt/containers/yaml.h>
+#include <cmath>
 
 #include "edgevo/results/run_text.h"
 #include "edgevo/results/yaml_writer.h"
@@ -96,9 +98,8 @@ TEST_F(Summary, ASynchronousRunHasNoLatency) {
 
 TEST_F(Summary, SaysWhichErrorOfTheFocalLengthMayNotShow) {
   edgevo::Run run = made_.run;
-  run.camera.lens.keyframes = 60;
-  run.camera.lens.focal = 0.008;
-  run.camera.lens.focal_sigma = 0.007;
+  run.camera.whole.keyframes = 60;
+  run.camera.whole.set(CameraNumber::kFocal, 0.008, std::sqrt(0.007 * 0.007 - 0.004 * 0.004));
   write(folder_, run, made_.camera);
   EXPECT_THAT(content(folder_ / "summary.yaml"),
               HasSubstr("to three standard deviations, 2.1 %; a smaller error may not show"));
@@ -106,8 +107,9 @@ TEST_F(Summary, SaysWhichErrorOfTheFocalLengthMayNotShow) {
 
 TEST_F(Summary, NamesTheFocalLengthThatWasApplied) {
   edgevo::Run run = made_.run;
-  run.camera.focal_length = {CameraRefinement::State::kApplied, 0.22, 0.05, 5, 0};
-  run.camera.correction.focal = 0.21;
+  run.camera.is_sought[size_t(CameraNumber::kFocal)] = true;
+  run.camera.corners = {0.22, 0.05, 5, 0};
+  run.camera.applied.focal = 0.21;
   write(folder_, run, made_.camera);
   const std::string summary = content(folder_ / "summary.yaml");
   for (const char* line :

@@ -37,8 +37,8 @@ TEST(FirstLook, ARollingShutterIsKnownFromTheFirstFrameOn) {
   const std::vector<GyroSample> gyro = phone_in_hand(), none;
   const HandRun with = run_hand(kReadoutS, gyro), without = run_hand(kReadoutS, none);
   EXPECT_THAT(with.log, HasSubstr("the first frames show a rolling shutter"));
-  EXPECT_EQ(with.result.run.camera.shutter.state, CameraRefinement::State::kApplied);
-  EXPECT_NEAR(with.result.run.camera.correction.readout_s, kReadoutS, 0.003);
+  EXPECT_EQ(with.result.run.camera.state_of(CameraNumber::kReadout), CameraPosterior::State::kApplied);
+  EXPECT_NEAR(with.result.run.camera.applied.readout_s, kReadoutS, 0.003);
   EXPECT_EQ(with.result.run.frames.size(), size_t(kHandFrames));
   EXPECT_LT(with.error(), 0.6 * without.error());
 }

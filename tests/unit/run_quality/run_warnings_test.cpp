@@ -10,11 +10,20 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+CameraPosterior k1_found(double mean, double sigma) {
+  CameraPosterior c;
+  c.is_sought.fill(true);
+  c.given.set(CameraNumber::kK1, mean, sigma);
+  c.given.keyframes = 60;
+  return c;
+}
+
 TEST(RunWarnings, NoneForAGoodRun) {
   edgevo::Run run;
   run.scale_source = "odometry";
   run.scale.lowest = 0.95, run.scale.highest = 1.1;
-  run.camera.state = CameraRefinement::State::kApplied;
+  run.camera.is_sought.fill(true);
+  run.camera.applied.k1 = 0.01;
   EXPECT_THAT(run_warnings(run), IsEmpty());
 }
 
@@ -27,23 +36,22 @@ TEST(RunWarnings, AScaleThatVaries) {
 
 TEST(RunWarnings, ACalibrationAtItsLimit) {
   edgevo::Run run;
-  run.camera.state = CameraRefinement::State::kAtLimit;
-  run.camera.estimate = 0.03;
+  run.camera = k1_found(0.03, 0.001);
   EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("0.0300) is at its limit")));
 }
 
 TEST(RunWarnings, AFocalLengthThatTheMotionContradicts) {
   edgevo::Run run;
-  run.camera.lens.focal = 0.05;
+  const auto find = [&](double mean, double sigma) {
+    run.camera.whole.set(CameraNumber::kFocal, mean, sigma);
+  };
+  find(0.05, 0);
   EXPECT_THAT(run_warnings(run), IsEmpty()) << "no estimate";
-  run.camera.lens.focal_sigma = 0.01;
-  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 5.0 +- 1.0 % off")));
-  run.camera.lens.focal_sigma = 0.02;
-  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 5.0 +- 2.0 % off")));
-  run.camera.lens.focal_sigma = 0.03;
+  find(0.05, 0.01);
+  EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 5.0 +- 2.7 % off")))
+      << "half of the 5 % may be missing";
+  find(0.05, 0.02);
   EXPECT_THAT(run_warnings(run), IsEmpty());
-  run.camera.lens.focal = 0.025, run.camera.lens.focal_sigma = 0.01;
-  EXPECT_THAT(run_warnings(run), IsEmpty()) << "as far as a right camera may seem off";
 }
 
 // A wrong camera file is named, and not only straight motion, even where the estimate is too uncertain.
@@ -54,7 +62,7 @@ TEST(RunWarnings, AFocalLengthThatTheCornersContradict) {
   run.frames[1].evidence.focal_error = 0.22, run.frames[1].evidence.focal_error_sigma = 0.08;
   EXPECT_THAT(run_warnings(run), IsEmpty()) << "within three standard deviations";
   run.frames[1].evidence.focal_error_sigma = 0.05;
-  run.camera.lens.focal = 0.08, run.camera.lens.focal_sigma = 0.01;
+  run.camera.whole.set(CameraNumber::kFocal, 0.08, 0.01);
   EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the focal length is 22.0 +- 5.0 % off")))
       << "the newest frame may lack it";
 }
@@ -62,8 +70,8 @@ TEST(RunWarnings, AFocalLengthThatTheCornersContradict) {
 // One warning, of what was done, and not of what the matches say besides.
 TEST(RunWarnings, AFocalLengthThatWasCorrected) {
   edgevo::Run run;
-  run.camera.correction.focal = 0.22;
-  run.camera.lens.focal = 0.2, run.camera.lens.focal_sigma = 0.01;
+  run.camera.applied.focal = 0.22;
+  run.camera.whole.set(CameraNumber::kFocal, 0.22, 0.01);
   EXPECT_THAT(
       run_warnings(run),
       ElementsAre(HasSubstr("22.0 +- 1.0 % off the camera file's, by the motion, and was corrected")));
@@ -71,13 +79,11 @@ TEST(RunWarnings, AFocalLengthThatWasCorrected) {
 
 TEST(RunWarnings, AnUncertainCalibrationAtItsLimit) {
   edgevo::Run run;
-  run.camera.state = CameraRefinement::State::kNotObservable;
-  run.camera.estimate = -0.03;
-  run.camera.sigma = 0.006;
+  run.camera = k1_found(-0.03, 0.02);
+  EXPECT_EQ(run.camera.state_of(CameraNumber::kK1), CameraPosterior::State::kNotObservable);
   EXPECT_THAT(run_warnings(run), ElementsAre(HasSubstr("the camera file is probably wrong")));
-  EXPECT_TRUE(ran_to_limit(run.camera));
-  run.camera.estimate = 0.02;
-  EXPECT_FALSE(ran_to_limit(run.camera));
+  run.camera = k1_found(0.02, 0.02);
+  EXPECT_FALSE(run.camera.is_at_limit(CameraNumber::kK1));
   EXPECT_THAT(run_warnings(run), IsEmpty());
 }
 

@@ -10,22 +10,22 @@
 namespace edgevo {
 namespace {
 
-CameraRefinement by_corners(double estimate, double sigma, double in_use = 0) {
-  CameraRefinement known;
-  known.focal_length.estimate = estimate, known.focal_length.sigma = sigma;
-  known.focal_length.windows = 3;
-  known.correction.focal = in_use;
+CameraPosterior by_corners(double estimate, double sigma, double in_use = 0) {
+  CameraPosterior known;
+  known.corners.focal = estimate, known.corners.sigma = sigma;
+  known.corners.windows = 3;
+  known.applied.focal = in_use;
   return known;
 }
 
 TEST(FocalLength, CornersContradictWhatIsInUse) {
   EXPECT_FALSE(do_corners_contradict({})) << "no estimate";
-  EXPECT_TRUE(do_corners_contradict(by_corners(0.2, 0.09)));
-  EXPECT_TRUE(do_corners_contradict(by_corners(-0.2, 0.09)));
-  EXPECT_FALSE(do_corners_contradict(by_corners(0.17, 0.09)));
+  EXPECT_TRUE(do_corners_contradict(by_corners(0.2, 0.06)));
+  EXPECT_TRUE(do_corners_contradict(by_corners(-0.2, 0.06)));
+  EXPECT_FALSE(do_corners_contradict(by_corners(0.17, 0.06)));
   EXPECT_FALSE(do_corners_contradict(by_corners(0.22, 0.05, 0.2)))
       << "the same within its standard deviation";
-  EXPECT_TRUE(do_corners_contradict(by_corners(0.05, 0.05, 0.2))) << "the file was right";
+  EXPECT_TRUE(do_corners_contradict(by_corners(0.04, 0.05, 0.2))) << "the file was right";
 }
 
 TEST(FocalLength, AtItsLimitItDoesNotCount) {
@@ -34,15 +34,15 @@ TEST(FocalLength, AtItsLimitItDoesNotCount) {
 }
 
 TEST(FocalLength, IsWeighedOnceAWindow) {
-  CameraRefinement known = by_corners(0.2, 0.05);
-  known.focal_length.windows_rejected = known.focal_length.windows;
+  CameraPosterior known = by_corners(0.2, 0.05);
+  known.corners.windows_weighed = known.corners.windows;
   EXPECT_FALSE(do_corners_contradict(known));
-  ++known.focal_length.windows;
+  ++known.corners.windows;
   EXPECT_TRUE(do_corners_contradict(known));
 }
 
 TEST(FocalLength, TheSearchStartsAtCornersThatContradict) {
-  EXPECT_EQ(search_for_camera(by_corners(0.1, 0.09), true, 0.02).start.correction.focal, 0);
+  EXPECT_EQ(search_for_camera(by_corners(0.1, 0.06), true, 0.02).start.correction.focal, 0);
   EXPECT_EQ(search_for_camera(by_corners(0.2, 0.05), true, 0.02).start.correction.focal, 0.2);
   EXPECT_EQ(search_for_camera({}, true, 0.02).prior[kReadout], 0.02);
   EXPECT_TRUE(search_for_camera({}, true, 0).free[kReadout]);

@@ -71,8 +71,8 @@ TEST(SelfCalibration, ChangesDuringAnEstimateAreCarriedOver) {
   std::optional<MapMoved> moved = concurrent.estimate(map, BaOptions(), false);
   EXPECT_FALSE(concurrent.is_running());
   ASSERT_TRUE(moved);
-  EXPECT_EQ(moved->lens->now, at_once.state().correction) << "the same estimate";
-  EXPECT_EQ(concurrent.state().keyframes, int(kKnown));
+  EXPECT_EQ(moved->lens->now, at_once.state().applied) << "the same estimate";
+  EXPECT_EQ(concurrent.state().given.keyframes, int(kKnown));
   moved = map.move(*moved, [](const Keyframe& k) { return k.pyramid; });
   expect_true_shape(*moved, now);
   const KeyframeMove& newest = moved->keyframes.back();
@@ -116,7 +116,7 @@ TEST(SelfCalibration, AnEstimateOfAMapThatHasMovedIsDropped) {
   past.keyframes.back().id = drive.front().id;
   map.move(past, {});
   EXPECT_FALSE(calibration.estimate(map, BaOptions(), false));
-  EXPECT_EQ(calibration.state().correction.k1, 0);
+  EXPECT_EQ(calibration.state().applied.k1, 0);
   EXPECT_TRUE(calibration.is_due(map)) << "it begins again";
 }
 
@@ -128,7 +128,7 @@ TEST(SelfCalibration, AnUnusedEstimateDoesNoHarm) {
   calibration.begin(map_of(drive, 30), BaOptions());
   calibration.cancel();
   EXPECT_FALSE(calibration.is_running());
-  EXPECT_EQ(calibration.state().state, CameraRefinement::State::kTooEarly);
+  EXPECT_EQ(calibration.state().state_of(CameraNumber::kK1), CameraPosterior::State::kTooEarly);
   calibration.begin(map_of(drive, 30), BaOptions());  // and is destroyed
 }
 
@@ -172,7 +172,7 @@ TEST(SelfCalibration, ThePriorAgreesWithTheWholeAdjustment) {
 TEST(SelfCalibration, NeedsNoMatchesAfterTheLastCheckpoint) {
   SelfCalibrationParams params;
   params.refine = "k1";
-  params.min_keyframes = 15;  // checkpoints at 15, 30 and 60
+  params.min_keyframes = 15;  // the last checkpoint is at 60
   SyntheticDrive o;
   o.keyframes = 72;
   const std::vector<Keyframe> drive = make_drive(o);
@@ -180,13 +180,13 @@ TEST(SelfCalibration, NeedsNoMatchesAfterTheLastCheckpoint) {
   int estimates = 0;
   for (size_t count = test::kDriveWindow + 1; count <= drive.size(); ++count) {
     const Map map = map_of(drive, count);
-    EXPECT_EQ(calibration.needs_matches(), estimates < 3);
+    EXPECT_EQ(calibration.needs_matches(), count <= 60);
     if (!calibration.is_due(map)) continue;
     ++estimates;
     calibration.estimate(map, BaOptions(), false);
   }
-  EXPECT_EQ(estimates, 3);
-  EXPECT_EQ(calibration.state().keyframes, 60);
+  EXPECT_EQ(estimates, 4) << "a window, and three checkpoints";
+  EXPECT_EQ(calibration.state().given.keyframes, 60);
 }
 
 TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
@@ -195,11 +195,11 @@ TEST(SelfCalibration, AShorterSegmentDoesNotOverruleALongerOne) {
   const std::vector<Keyframe> drive = make_drive(o);
   SelfCalibration calibration(test::pinhole(), {});
   ASSERT_TRUE(calibration.estimate(map_of(drive, 60), BaOptions(), true));
-  const CameraRefinement found = calibration.state();
+  const CameraPosterior found = calibration.state();
   calibration.cancel();
   EXPECT_FALSE(calibration.estimate(map_of(drive, 35), BaOptions(), true));
-  EXPECT_EQ(calibration.state().correction.k1, found.correction.k1);
-  EXPECT_EQ(calibration.state().keyframes, found.keyframes);
+  EXPECT_EQ(calibration.state().applied.k1, found.applied.k1);
+  EXPECT_EQ(calibration.state().given.keyframes, found.given.keyframes);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ CameraProblem seen_through(const ba::Unknowns& error, uint64_t seed) {
   return problem;
 }
 
-CameraRefinement found(const ba::Unknowns& error, uint64_t seed) {
+CameraPosterior found(const ba::Unknowns& error, uint64_t seed) {
   SelfCalibrationParams params;
   params.refine = "k1";
   params.min_keyframes = 1;
@@ -34,30 +34,31 @@ CameraRefinement found(const ba::Unknowns& error, uint64_t seed) {
 
 TEST(WholeLens, IsStatedWithItsSigmas) {
   for (const uint64_t seed : {1, 2, 3}) {
-    const CameraRefinement c = found(of_each(0.015, 0, -0.01, 0.02, 0), seed);
-    EXPECT_GT(c.lens.keyframes, 0);
-    EXPECT_GT(c.lens.focal_sigma, 0);
+    const CameraPosterior c = found(of_each(0.015, 0, -0.01, 0.02, 0), seed);
+    EXPECT_GT(c.whole.keyframes, 0);
+    EXPECT_GT(c.focal_sigma(), 0);
     // Of the step from a distant start, a part is missing.
-    EXPECT_NEAR(c.lens.focal, 0.02, 3 * c.lens.focal_sigma + 0.002);
-    EXPECT_NEAR(c.lens.k1, 0.015, 3 * c.lens.k1_sigma + 0.002);
-    EXPECT_NEAR(c.lens.k2, -0.01, 3 * c.lens.k2_sigma + 0.002);
+    EXPECT_NEAR(c.whole.mean_of(CameraNumber::kFocal), 0.02, 3 * c.focal_sigma() + 0.002);
+    EXPECT_NEAR(c.whole.mean_of(CameraNumber::kK1), 0.015, 3 * c.whole.sigma_of(CameraNumber::kK1) + 0.002);
+    EXPECT_NEAR(c.whole.mean_of(CameraNumber::kK2), -0.01, 3 * c.whole.sigma_of(CameraNumber::kK2) + 0.002);
   }
 }
 
 TEST(WholeLens, ARightFileIsNotContradicted) {
   for (const uint64_t seed : {4, 5, 6}) {
-    const CameraRefinement c = found(ba::Unknowns::Zero(), seed);
-    EXPECT_GT(c.lens.keyframes, 0);
-    EXPECT_FALSE(c.lens.contradicts_file()) << c.lens.focal << " +- " << c.lens.focal_sigma;
+    const CameraPosterior c = found(ba::Unknowns::Zero(), seed);
+    EXPECT_GT(c.whole.keyframes, 0);
+    EXPECT_FALSE(c.contradicts_focal_length())
+        << c.whole.mean_of(CameraNumber::kFocal) << " +- " << c.focal_sigma();
   }
 }
 
 TEST(WholeLens, IsNotSoughtWithoutTheLens) {
   SelfCalibrationParams params;
   params.refine = "readout";
-  EXPECT_EQ(
-      find_camera(seen_through(ba::Unknowns::Zero(), 1), {}, params, test::to_the_end()).state.lens.keyframes,
-      0);
+  EXPECT_EQ(find_camera(seen_through(ba::Unknowns::Zero(), 1), {}, params, test::to_the_end())
+                .state.whole.keyframes,
+            0);
 }
 
 }  // namespace

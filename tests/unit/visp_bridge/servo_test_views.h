@@ -16,7 +16,7 @@ inline std::shared_ptr<const Reference> reference_with(std::vector<CloudPoint> c
   auto reference = std::make_shared<Reference>();
   reference->keyframe_id = keyframe_id;
   reference->cloud.points = std::move(cloud);
-  reference->camera.correction.k1 = residual_k1;
+  reference->camera.applied.k1 = residual_k1;
   return reference;
 }
 

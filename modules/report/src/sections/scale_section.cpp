@@ -77,39 +77,46 @@ TimeChart scale_chart(const Run& run) {
   return chart;
 }
 
-std::string shutter_text(const CameraRefinement::Shutter& shutter, double readout_s) {
-  std::string html = " Rolling shutter: <b>" + html_escaped(to_string(shutter.state)) + "</b>";
-  if (shutter.sigma > 0)
-    html += ", read-out " + fixed(shutter.estimate, 4) + " ± " + fixed(shutter.sigma, 4) + " s from " +
-            std::to_string(shutter.keyframes) + " keyframes";
-  if (readout_s != 0) html += ", " + fixed(readout_s, 4) + " s applied";
+std::string shutter_text(const CameraPosterior& camera) {
+  const double sigma = camera.given.sigma_of(CameraNumber::kReadout);
+  std::string html =
+      " Rolling shutter: <b>" + html_escaped(to_string(camera.state_of(CameraNumber::kReadout))) + "</b>";
+  if (sigma > 0)
+    html += ", read-out " + fixed(camera.given.mean_of(CameraNumber::kReadout), 4) + " ± " + fixed(sigma, 4) +
+            " s from " + std::to_string(camera.given.keyframes) + " keyframes";
+  if (camera.applied.readout_s != 0) html += ", " + fixed(camera.applied.readout_s, 4) + " s applied";
   return html + ".";
 }
 
-std::string focal_length_text(const CameraRefinement& camera) {
-  const CameraRefinement::FocalLength& f = camera.focal_length;
-  const double applied = camera.correction.focal;
+std::string focal_length_text(const CameraPosterior& camera) {
+  const CameraPosterior::Corners& corners = camera.corners;
+  const double applied = camera.applied.focal;
   const std::string outcome = applied != 0 ? fixed(100 * applied, 1) + " % applied." : "not applied.";
-  if (f.sigma == 0) return applied != 0 ? " Focal length by matches: " + outcome : std::string();
-  return " Focal length by corners: <b>" + fixed(100 * f.estimate, 1) + " ± " + fixed(100 * f.sigma, 1) +
-         " %</b> off the file's, " + outcome;
+  if (corners.sigma == 0) return applied != 0 ? " Focal length by matches: " + outcome : std::string();
+  return " Focal length by corners: <b>" + fixed(100 * corners.focal, 1) + " ± " +
+         fixed(100 * corners.sigma, 1) + " %</b> off the file's, " + outcome;
 }
 
-std::string whole_lens_text(const CameraRefinement::Lens& lens) {
+std::string whole_lens_text(const CameraPosterior& camera) {
+  const CameraGaussian& lens = camera.whole;
   if (lens.keyframes == 0) return {};
-  return " By file, corners and matches together, with k2 and focal length free: k1 " + fixed(lens.k1, 4) +
-         " ± " + fixed(lens.k1_sigma, 4) + ", k2 " + fixed(lens.k2, 4) + " ± " + fixed(lens.k2_sigma, 4) +
-         ", focal length " + fixed(100 * lens.focal, 1) + " ± " + fixed(100 * lens.focal_sigma, 1) +
+  const auto number = [&](CameraNumber n) {
+    return fixed(lens.mean_of(n), 4) + " ± " + fixed(lens.sigma_of(n), 4);
+  };
+  return " By file, corners and matches together, with k2 and focal length free: k1 " +
+         number(CameraNumber::kK1) + ", k2 " + number(CameraNumber::kK2) + ", focal length " +
+         fixed(100 * lens.mean_of(CameraNumber::kFocal), 1) + " ± " + fixed(100 * camera.focal_sigma(), 1) +
          " % off the file's.";
 }
 
-std::string lens_text(const CameraRefinement& camera) {
-  std::string html = "<p>Self-calibration of the lens: <b>" + html_escaped(to_string(camera.state)) + "</b>";
-  if (camera.sigma > 0)
-    html += ", residual k1 " + fixed(camera.estimate, 5) + " ± " + fixed(camera.sigma, 5) + " from " +
-            std::to_string(camera.keyframes) + " keyframes";
-  return html + "." + focal_length_text(camera) + whole_lens_text(camera.lens) +
-         shutter_text(camera.shutter, camera.correction.readout_s) + "</p>\n";
+std::string lens_text(const CameraPosterior& camera) {
+  const double sigma = camera.given.sigma_of(CameraNumber::kK1);
+  std::string html = "<p>Self-calibration of the lens: <b>" +
+                     html_escaped(to_string(camera.state_of(CameraNumber::kK1))) + "</b>";
+  if (sigma > 0)
+    html += ", residual k1 " + fixed(camera.given.mean_of(CameraNumber::kK1), 5) + " ± " + fixed(sigma, 5) +
+            " from " + std::to_string(camera.given.keyframes) + " keyframes";
+  return html + "." + focal_length_text(camera) + whole_lens_text(camera) + shutter_text(camera) + "</p>\n";
 }
 
 }  // namespace

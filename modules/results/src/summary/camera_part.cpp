@@ -8,15 +8,15 @@
 namespace edgevo {
 namespace {
 
-std::string calibration_statement(const CameraRefinement& c) {
-  using State = CameraRefinement::State;
-  switch (c.state) {
+std::string calibration_statement(const CameraPosterior& c) {
+  using State = CameraPosterior::State;
+  switch (c.state_of(CameraNumber::kK1)) {
     case State::kOff:
       return "off: the camera file was taken as it is";
     case State::kTooEarly:
       return "the run was too short for an estimate";
     case State::kNotObservable:
-      if (ran_to_limit(c))
+      if (c.is_at_limit(CameraNumber::kK1))
         return "the estimate ran to its limit: the camera file may be wrong, in the focal length most of "
                "all, "
                "or the motion was too straight, too slow or too short";
@@ -31,12 +31,12 @@ std::string calibration_statement(const CameraRefinement& c) {
   return "";
 }
 
-std::string shutter_statement(const CameraRefinement::Shutter& s, double readout_s) {
-  using State = CameraRefinement::State;
-  switch (s.state) {
+std::string shutter_statement(const CameraPosterior& c) {
+  using State = CameraPosterior::State;
+  switch (c.state_of(CameraNumber::kReadout)) {
     case State::kOff:
-      return readout_s != 0 ? "off: readout_s was taken as given"
-                            : "off: all rows were taken as exposed at the same time";
+      return c.applied.readout_s != 0 ? "off: readout_s was taken as given"
+                                      : "off: all rows were taken as exposed at the same time";
     case State::kTooEarly:
       return "the run was too short for an estimate";
     case State::kNotObservable:
@@ -51,14 +51,15 @@ std::string shutter_statement(const CameraRefinement::Shutter& s, double readout
   return "";
 }
 
-std::string focal_length_statement(const CameraRefinement::FocalLength& f, const ImageCorrection& c) {
-  using State = CameraRefinement::State;
-  if (f.state == State::kOff) return "off: the focal length was taken from the camera file";
-  if (c.focal != 0) return "applied: images and map are corrected by residual_focal";
-  if (f.sigma == 0) return "the camera did not turn enough, or showed too few corners, for an estimate";
-  if (std::abs(f.estimate) < 3 * f.sigma)
+std::string focal_length_statement(const CameraPosterior& c) {
+  const CameraPosterior::Corners& corners = c.corners;
+  if (!c.is_sought[size_t(CameraNumber::kFocal)])
+    return "off: the focal length was taken from the camera file";
+  if (c.applied.focal != 0) return "applied: images and map are corrected by residual_focal";
+  if (corners.sigma == 0) return "the camera did not turn enough, or showed too few corners, for an estimate";
+  if (std::abs(corners.focal) < kImprobable * corners.sigma)
     return "not applied: the camera file's is right to three standard deviations of the estimate";
-  if (f.windows == f.windows_rejected)
+  if (corners.windows == corners.windows_weighed)
     return "not applied: corners contradict the camera file, and the matches of the map do not "
            "support them";
   return "NOT APPLIED, although corners contradict the camera file: they did so too late, or the estimate is "
@@ -66,63 +67,62 @@ std::string focal_length_statement(const CameraRefinement::FocalLength& f, const
          "its limit";
 }
 
-void write_focal_length(const CameraRefinement& c, YamlWriter* y) {
-  const CameraRefinement::FocalLength& f = c.focal_length;
-  y->text("focal", to_string(f.state));
-  y->text("focal_result", focal_length_statement(f, c.correction));
-  y->number("residual_focal", c.correction.focal, 5);
-  if (f.sigma == 0) return;
-  y->number("focal_estimate", f.estimate, 5);
-  y->number("focal_standard_deviation", f.sigma, 4);
-  y->integer("focal_windows", f.windows);
+void write_focal_length(const CameraPosterior& c, YamlWriter* y) {
+  y->text("focal", to_string(c.state_of(CameraNumber::kFocal)));
+  y->text("focal_result", focal_length_statement(c));
+  y->number("residual_focal", c.applied.focal, 5);
+  if (c.corners.sigma == 0) return;
+  y->number("focal_estimate", c.corners.focal, 5);
+  y->number("focal_standard_deviation", c.corners.sigma, 4);
+  y->integer("focal_windows", c.corners.windows);
 }
 
-std::string lens_statement(const CameraRefinement& c) {
-  if (c.correction.focal != 0) return "its focal length was applied";
-  if (c.lens.contradicts_file())
+std::string lens_statement(const CameraPosterior& c) {
+  if (c.applied.focal != 0) return "its focal length was applied";
+  if (c.contradicts_focal_length())
     return "not applied: file, corners and matches together contradict the focal length of the camera file";
   return "not applied: by corners and matches, the focal length agrees with the camera file's to three "
          "standard deviations, " +
-         fixed(300 * c.lens.focal_sigma, 1) + " %; a smaller error may not show";
+         fixed(100 * kImprobable * c.focal_sigma(), 1) + " %; a smaller error may not show";
 }
 
-void write_lens(const CameraRefinement& c, YamlWriter* y) {
-  const CameraRefinement::Lens& l = c.lens;
-  if (l.keyframes == 0) return;
+void write_lens(const CameraPosterior& c, YamlWriter* y) {
+  if (c.whole.keyframes == 0) return;
   y->text("lens_result", lens_statement(c));
-  y->number("lens_k1", l.k1, 5);
-  y->number("lens_k1_standard_deviation", l.k1_sigma, 4);
-  y->number("lens_k2", l.k2, 5);
-  y->number("lens_k2_standard_deviation", l.k2_sigma, 4);
-  y->number("lens_focal", l.focal, 5);
-  y->number("lens_focal_standard_deviation", l.focal_sigma, 4);
-  y->integer("lens_keyframes", l.keyframes);
+  y->number("lens_k1", c.whole.mean_of(CameraNumber::kK1), 5);
+  y->number("lens_k1_standard_deviation", c.whole.sigma_of(CameraNumber::kK1), 4);
+  y->number("lens_k2", c.whole.mean_of(CameraNumber::kK2), 5);
+  y->number("lens_k2_standard_deviation", c.whole.sigma_of(CameraNumber::kK2), 4);
+  y->number("lens_focal", c.whole.mean_of(CameraNumber::kFocal), 5);
+  y->number("lens_focal_standard_deviation", c.focal_sigma(), 4);
+  y->integer("lens_keyframes", c.whole.keyframes);
 }
 
 }  // namespace
 
 // x_file = (1 + residual_focal) x (1 + residual_k1 r^2): before the file's own distortion. Row v is taken
 // readout_s (v / (height - 1) - 1/2) after the middle.
-void write_self_calibration(const CameraRefinement& c, YamlWriter* y) {
+void write_self_calibration(const CameraPosterior& c, YamlWriter* y) {
+  const double k1_sigma = c.given.sigma_of(CameraNumber::kK1),
+               readout_sigma = c.given.sigma_of(CameraNumber::kReadout);
   y->open("self_calibration");
-  y->text("state", to_string(c.state));
+  y->text("state", to_string(c.state_of(CameraNumber::kK1)));
   y->text("result", calibration_statement(c));
-  y->number("residual_k1", c.correction.k1, 5);
-  if (c.sigma > 0) {
-    y->number("estimate", c.estimate, 5);
-    y->number("standard_deviation", c.sigma, 4);
-    y->integer("keyframes", c.keyframes);
+  y->number("residual_k1", c.applied.k1, 5);
+  if (k1_sigma > 0) {
+    y->number("estimate", c.given.mean_of(CameraNumber::kK1), 5);
+    y->number("standard_deviation", k1_sigma, 4);
+    y->integer("keyframes", c.given.keyframes);
   }
   write_focal_length(c, y);
   write_lens(c, y);
-  const CameraRefinement::Shutter& s = c.shutter;
-  y->text("shutter", to_string(s.state));
-  y->text("shutter_result", shutter_statement(s, c.correction.readout_s));
-  y->number("readout_s", c.correction.readout_s, 5);
-  if (s.sigma > 0) {
-    y->number("readout_estimate", s.estimate, 5);
-    y->number("readout_standard_deviation", s.sigma, 4);
-    y->integer("readout_keyframes", s.keyframes);
+  y->text("shutter", to_string(c.state_of(CameraNumber::kReadout)));
+  y->text("shutter_result", shutter_statement(c));
+  y->number("readout_s", c.applied.readout_s, 5);
+  if (readout_sigma > 0) {
+    y->number("readout_estimate", c.given.mean_of(CameraNumber::kReadout), 5);
+    y->number("readout_standard_deviation", readout_sigma, 4);
+    y->integer("readout_keyframes", c.given.keyframes);
   }
   y->close();
 }

@@ -10,7 +10,7 @@ namespace edgevo {
 /// Writes the camera as it was given to the run.
 void write_camera(const Camera& camera, YamlWriter* y);
 /// Writes the result of self-calibration, in numbers and in words.
-void write_self_calibration(const CameraRefinement& c, YamlWriter* y);
+void write_self_calibration(const CameraPosterior& c, YamlWriter* y);
 
 // map_part.cpp
 /// Writes the counts of points, lines, voxels and grid cells.

@@ -32,7 +32,7 @@ struct Reference {
   /// Poses of all keyframes in the window, by id.
   std::map<int, SE3> T_keyframe_world;
   /// Camera correction that this map was made with.
-  CameraRefinement camera;
+  CameraPosterior camera;
   /// Number of moves of the map before this state (Map::moves()).
   int moves = 0;
   /// Variance of poses tracked against this keyframe over the variance that their alignment reports.

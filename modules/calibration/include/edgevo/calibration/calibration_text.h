@@ -11,7 +11,7 @@ namespace edgevo {
 
 /// What self-calibration found, in a line: "residual k1 0.0102 +- 0.0008 (one standard deviation), from 40
 /// keyframes".
-std::string finding(const CameraRefinement& refinement);
+std::string finding(const CameraPosterior& refinement);
 /// The finding, the lens before and after, and what was seen but is not in the new camera.
 std::string run_calibration_text(const RunCalibration& run, const FoldedCamera& corrected);
 

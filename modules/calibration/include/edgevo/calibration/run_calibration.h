@@ -15,7 +15,9 @@ struct RunCalibration {
   /// Camera that was given to the run.
   Camera camera;
   /// Result of self-calibration for that camera.
-  CameraRefinement refinement;
+  CameraPosterior refinement;
+  /// What the run said of k1.
+  CameraPosterior::State k1_state = CameraPosterior::State::kOff;
 };
 
 /// Throws InputError: no summary.yaml in the folder, or one without a readable camera or self_calibration.

@@ -6,6 +6,7 @@
 // World frame: the axes of the first camera of the run (x right, y down, z forward), origin at its first
 // pose; or those of a map that was kept, if keyframes were found in it. Map files re-express it z up by
 // T_zup_world below. Unit: arbitrary unless Run::scale_source says metres.
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -133,85 +134,83 @@ struct KeyframeRecord {
   bool is_doubtful = false;
 };
 
-/// Largest residual k1 that self-calibration considers: beyond it a camera file is wrong in another way.
-constexpr double kLargestResidualK1 = 0.03;
+/// A number that a camera file may have wrong: residual radial coefficients k1 and k2 (radial.h), read-out
+/// time of a rolling shutter in seconds, and the true focal length over that of the file, less 1.
+enum class CameraNumber { kK1, kReadout, kK2, kFocal };
+/// How many there are.
+constexpr int kCameraNumbers = 4;
 
-/// Result of self-calibration: images under the file's model are distorted by k1 (radial.h), of another size
-/// by the focal length, and read row by row in readout_s (ImageCorrection).
-struct CameraRefinement {
-  /// Outcome of an estimate; only kApplied changes the images.
-  enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
-  /// Outcome for k1.
-  State state = State::kOff;
-  /// Correction applied to all images: k1 and the focal length are 0 unless kApplied, readout_s the estimate
-  /// or the parameter.
-  ImageCorrection correction;
-  /// Newest estimate of k1, applied or not.
-  double estimate = 0;
-  /// Standard deviation of the estimate; 0: no estimate.
-  double sigma = 0;
-  /// Number of keyframes that the estimate is based on.
+/// Standard deviations from which a value is improbable; the default of camera.significance.
+constexpr double kImprobable = 3;
+/// The largest error of each number that is considered: beyond it a camera file is wrong in another way.
+constexpr std::array<double, kCameraNumbers> kLargestCameraError{0.03, 0.1, 0.5, 0.7};
+/// Matches are found with the camera in use and are biased towards it: what they still miss, over what they
+/// show. 0 to 1.1, rms 0.55 in ten first estimates of files that were 5 to 20 % off.
+constexpr double kMissedByMatches = 0.5;
+
+/// What is known of the numbers of a camera, by CameraNumber.
+struct CameraGaussian {
+  /// Differences from the camera file.
+  Eigen::Matrix<double, kCameraNumbers, 1> mean = Eigen::Matrix<double, kCameraNumbers, 1>::Zero();
+  /// Their covariance, where the camera in use is right. Zero of what is given.
+  Eigen::Matrix<double, kCameraNumbers, kCameraNumbers> covariance =
+      Eigen::Matrix<double, kCameraNumbers, kCameraNumbers>::Zero();
+  /// Number of keyframes that it is based on; 0: nothing is known.
   int keyframes = 0;
 
-  /// Result for the read-out time of a rolling shutter.
-  struct Shutter {
-    /// Outcome for the read-out time.
-    State state = State::kOff;
-    /// Newest estimate and its standard deviation, seconds; sigma 0: no estimate.
-    double estimate = 0, sigma = 0;
-    /// Number of keyframes that the estimate is based on.
-    int keyframes = 0;
-  };
-  /// Result for the rolling shutter.
-  Shutter shutter;
+  /// Mean of a number.
+  double mean_of(CameraNumber n) const { return mean[int(n)]; }
+  /// Standard deviation of a number; 0: unknown.
+  double sigma_of(CameraNumber n) const { return std::sqrt(covariance(int(n), int(n))); }
+  /// Sets a number by itself.
+  void set(CameraNumber n, double value, double sigma);
+};
 
-  /// What followed corners show of the focal length (self_calibration/focal_by_corners.h), and its outcome.
-  struct FocalLength {
-    /// Outcome for the focal length.
-    State state = State::kOff;
+/// Outcome of self-calibration.
+struct CameraPosterior {
+  /// What is said of a number; only kApplied changes the images.
+  enum class State { kOff, kTooEarly, kNotObservable, kInsignificant, kApplied, kAtLimit };
+
+  /// All numbers together, by file, matches and followed corners.
+  CameraGaussian whole;
+  /// k1 and the read-out time where the focal length is as applied and k2 as in the file, by file and
+  /// matches.
+  CameraGaussian given;
+  /// What images and map are corrected by: k1 and the focal length are 0, and readout_s as given, unless they
+  /// are kApplied.
+  ImageCorrection applied;
+  /// The read-out time that was given, seconds.
+  double readout_given_s = 0;
+  /// Whether a number is sought, by CameraNumber.
+  std::array<bool, kCameraNumbers> is_sought{};
+
+  /// What followed corners show of the focal length (self_calibration/focal_by_corners.h).
+  struct Corners {
     /// True focal length over that of the file, less 1, and its standard deviation; sigma 0: no estimate.
-    double estimate = 0, sigma = 0;
-    /// Number of windows of views that the estimate is based on, and that of the newest estimate that was
-    /// weighed against the map; 0: of none.
-    int windows = 0, windows_rejected = 0;
+    double focal = 0, sigma = 0;
+    /// Number of windows of views that it is based on, and of those that were weighed against the map.
+    int windows = 0, windows_weighed = 0;
   };
-  /// Result for the focal length.
-  FocalLength focal_length;
+  /// That of the corners.
+  Corners corners;
 
-  /// The posterior of the lens by file, corners and matches, with k2, focal length and read-out time free,
-  /// too. Of it the focal length is applied where the file's is improbable.
-  struct Lens {
-    /// Radial coefficients beyond the lens of the file (radial.h).
-    double k1 = 0, k2 = 0;
-    /// True focal length over that of the file, less 1.
-    double focal = 0;
-    /// Standard deviations, the usual bias of matches included; 0: no estimate.
-    double k1_sigma = 0, k2_sigma = 0, focal_sigma = 0;
-    /// Number of keyframes that the estimate is based on.
-    int keyframes = 0;
-
-    /// Whether the focal length is three standard deviations off the file's, or two and by 3 %: on six
-    /// sequences with the right camera it was at most 1.7 % off, on seven with one of 0.8 times the focal
-    /// length 5 to 15 % (lab 2026-11-26_trust).
-    bool contradicts_file() const {
-      const double off = std::abs(focal);
-      return focal_sigma > 0 && (off > 3 * focal_sigma || (off > 2 * focal_sigma && off > 0.03));
-    }
-  };
-  /// Result for the whole lens.
-  Lens lens;
+  /// What is said of k1, the read-out time or the focal length. Not observable: the largest error that is
+  /// considered would not be improbable.
+  State state_of(CameraNumber n) const;
+  /// Whether the search for k1 or the read-out time ended at the largest error that is considered.
+  bool is_at_limit(CameraNumber n) const;
+  /// Standard deviation of the focal length, with what matches may miss.
+  double focal_sigma() const;
+  /// Whether the focal length in use is improbable.
+  bool contradicts_focal_length() const;
 };
 
 /// Names of the states in files, in the order of the enum. "at_limit": the estimate exceeds any plausible
 /// residual of a roughly correct camera file; nothing is applied, and the file is wrong in some other way.
-inline const std::vector<std::string>& refinement_state_names() {
-  static const std::vector<std::string> names{"off",           "too_early", "not_observable",
-                                              "insignificant", "applied",   "at_limit"};
-  return names;
-}
-/// Name of `state` in refinement_state_names().
-inline const std::string& to_string(CameraRefinement::State state) {
-  return refinement_state_names()[size_t(state)];
+const std::vector<std::string>& camera_state_names();
+/// Name of `state` in camera_state_names().
+inline const std::string& to_string(CameraPosterior::State state) {
+  return camera_state_names()[size_t(state)];
 }
 
 /// Metres per unit of the odometry at one frame: `factor` from the whole run, `live_factor` from the frames
@@ -331,11 +330,11 @@ struct RealtimeRecord {
 
 /// Complete result of a run.
 struct Run {
-  /// Pinhole of the rectified images (OdometryOptions::working_pinhole), with camera.correction.k1 removed;
+  /// Pinhole of the rectified images (OdometryOptions::working_pinhole), with camera.applied.k1 removed;
   /// EdgePoint::px refers to it.
   Pinhole pinhole;
   /// Result of self-calibration.
-  CameraRefinement camera;
+  CameraPosterior camera;
   /// One record for each input frame, in time order.
   std::vector<FrameRecord> frames;
   /// Keyframes in time order.

@@ -238,7 +238,7 @@ struct LinesFinished {
 /// Self-calibration has a new result.
 struct CameraEstimated {
   /// The result.
-  CameraRefinement camera;
+  CameraPosterior camera;
 };
 
 /// Mapping has processed a frame.

@@ -143,7 +143,7 @@ class RunBuilder {
                   const std::vector<KeyframeRecord>& keyframes, Row* row) const;
 
   Rectification rectification_;
-  CameraRefinement camera_;
+  CameraPosterior camera_;
   size_t most_rows_ = 0;  // 0: all
   std::set<int> kept_;    // keep()
   size_t forgotten_ = 0;  // rows before those of rows_

@@ -29,7 +29,7 @@ struct MapLinkOptions {
   /// MapperOptions::forget.
   bool forget = false;
   /// MapperOptions::camera.
-  std::optional<CameraRefinement> camera = std::nullopt;
+  std::optional<CameraPosterior> camera = std::nullopt;
 };
 
 /// Connects tracking to mapping; for the tracking thread.
@@ -70,7 +70,7 @@ class MapLink {
   void correct(PyramidBuilder* builder, const ImageCorrection& correction);
 
   /// Camera knowledge before the first frame.
-  const CameraRefinement& initial_camera() const { return mapper_.camera(); }
+  const CameraPosterior& initial_camera() const { return mapper_.camera(); }
 
   /// Closes the map. Waits as make_map() does. Returns what mapping has skipped; the other fields are not
   /// set.

@@ -130,7 +130,7 @@ struct MapperOptions {
   /// What the events report leaves the memory.
   bool forget = false;
   /// SelfCalibration::begin_with(); nothing: with the parameters.
-  std::optional<CameraRefinement> camera = std::nullopt;
+  std::optional<CameraPosterior> camera = std::nullopt;
 };
 
 /// Map, window, self-calibration and edge lines of a run.
@@ -165,7 +165,7 @@ class Mapper {
   /// Id of the next keyframe; ascends over the whole run.
   int next_id() const { return next_id_; }
   /// Self-calibration so far.
-  const CameraRefinement& camera() const { return calibration_.state(); }
+  const CameraPosterior& camera() const { return calibration_.state(); }
 
  private:
   // The steps of a bootstrap.

@@ -67,7 +67,7 @@ struct OdometryOptions {
   std::shared_ptr<const GyroModel> gyro;
   /// Camera of whose rolling shutter an earlier look at the same frames knows; nothing: a global one, until
   /// the run shows another.
-  std::optional<CameraRefinement> camera;
+  std::optional<CameraPosterior> camera;
   /// Detectors that the parameter edges.detector may name.
   EdgeDetectorTable detectors = basic_edge_detectors();
   /// The stream that consumers read (map/map_log.h), of this odometry alone: another one needs its own. Null:

@@ -9,9 +9,6 @@
 
 namespace edgevo {
 
-/// Whether the estimate of k1 ran into that limit, be it applied or not.
-bool ran_to_limit(const CameraRefinement& camera);
-
 /// Warnings about the run, one sentence each; empty if there are none.
 std::vector<std::string> run_warnings(const Run& run);
 

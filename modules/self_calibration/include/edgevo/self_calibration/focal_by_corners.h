@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "edgevo/core/records.h"
 #include "edgevo/core/rectification.h"
 #include "edgevo/core/se3.h"
 #include "edgevo/features/followed_corner.h"
@@ -26,7 +27,7 @@ struct FocalError {
 };
 
 /// Largest error that is found, to either side: a true one beyond it comes out as this.
-constexpr double kMaxFocalError = 0.7;
+constexpr double kMaxFocalError = kLargestCameraError[size_t(CameraNumber::kFocal)];
 
 /// Measures the focal length in windows of views, for one thread; deterministic.
 class FocalByCorners {

@@ -10,13 +10,13 @@
 // elongates the image of a camera that moves up or down, which looks like a step forward. Bundle adjustment
 // sees both: its cost is lowest where neither happens. How:
 //   1. The map keeps the matches of marginalised keyframes up to the last checkpoint (needs_matches()).
-//   2. At a few checkpoints all of them and the window are adjusted together with k1 as a global unknown
-//      (Newton on the profile cost). Where one more step with both free indicates a rolling shutter, the
-//      read-out time is estimated, too.
-//      Before, the focal length is weighed: its posterior of file, corners and matches, with k1, k2 and
-//      read-out time free (CameraRefinement::Lens). k2 is stated only.
-//   3. An estimate that is `significance` standard deviations from the value in use is to be applied: the
-//      result is a move of the map (MapMoved), with a new prior of the window; Map::move() applies it.
+//   2. At a few checkpoints all of them and the window are adjusted together with all of these as global
+//      unknowns (Newton on the profile cost), and k2, which is stated only: with what file and corners say,
+//      their posterior (CameraPosterior::whole), by which the focal length is weighed. Then k1 and read-out
+//      time are, with the focal length given (CameraPosterior::given).
+//   3. A number is applied where the file's is `significance` standard deviations off and keyframes held back
+//      do not speak against it: the result is a move of the map (MapMoved), with a new prior of the window;
+//      Map::move() applies it.
 // In realtime step 2 runs in a thread of its own; what was added to the map meanwhile is carried over when it
 // is applied. After the last checkpoint no matches are needed any more: memory and time are bounded. A run
 // that ends earlier is estimated at its end. A run that is too short, too straight or too still reports that
@@ -46,7 +46,7 @@ class SelfCalibration {
 
   /// Begins with the read-out time that an earlier look at the same frames has found; it is refined once
   /// there are more keyframes than that had.
-  void begin_with(const CameraRefinement& found);
+  void begin_with(const CameraPosterior& found);
   /// True if the matches of marginalised keyframes are needed for later estimates.
   bool needs_matches() const { return !finished_ && params_.refine != "none"; }
   /// Takes what corners show of the focal length up to now.
@@ -73,16 +73,15 @@ class SelfCalibration {
   void cancel();
 
   /// Results so far.
-  const CameraRefinement& state() const { return state_; }
+  const CameraPosterior& state() const { return state_; }
 
  private:
   struct Job;
-  bool refines_focal_length() const;
   void pass_checkpoint(int keyframes, bool at_end);
 
   Rectification rectification_;
   SelfCalibrationParams params_;
-  CameraRefinement state_;
+  CameraPosterior state_;
   int next_checkpoint_;
   /// True if the last checkpoint has passed.
   bool finished_ = false;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "edgevo/core/params.h"
+#include "edgevo/core/records.h"
 
 namespace edgevo {
 
@@ -13,10 +14,10 @@ struct SelfCalibrationParams {
   /// Keyframes.
   int min_keyframes = 30;
   /// Standard deviations.
-  double significance = 3.0;
+  double significance = kImprobable;
   /// Seconds.
   double readout_s = 0;
-  /// Apply a third more of a change of the read-out time: matches in distorted rows bias it towards zero.
+  /// Apply half more of a change of the read-out time: matches in distorted rows bias it towards zero.
   bool over_relax_readout = true;
 
   /// Whether rows may have times of their own.
