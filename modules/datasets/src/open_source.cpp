@@ -109,7 +109,7 @@ std::unique_ptr<ImageSource> open_ros_recording(const SourceOptions& options) {
   return open_recording_source(options);
 }
 
-// The folder that a run wrote; its grid.pgm is no image of a camera.
+// The folder that a run wrote: its grid.pgm is no image of a camera, and its run.mcap may be without any.
 void refuse_results(const fs::path& folder) {
   std::error_code ignored;
   for (const char* file : {"summary.yaml", "frames.csv"})
@@ -122,6 +122,7 @@ void refuse_results(const fs::path& folder) {
 std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   std::error_code ignored;
   const bool is_live = options.path.rfind(kLiveCamera, 0) == 0;
+  if (!is_live && !layout_of(options.path)) refuse_results(options.path);
   const bool is_ros =
       !is_live && fs::exists(options.path, ignored) && !layout_of(options.path) && is_recording(options.path);
   if (!is_ros) refuse_topic(options);
@@ -139,10 +140,7 @@ std::unique_ptr<ImageSource> open_whole(const SourceOptions& options) {
   if (!fs::exists(options.path, ignored))
     throw InputError(options.path, "no such file or folder", "check the path");
   if (is_ros) return open_ros_recording(options);
-  if (fs::is_directory(options.path, ignored)) {
-    refuse_results(options.path);
-    return open_folder(options);
-  }
+  if (fs::is_directory(options.path, ignored)) return open_folder(options);
   if (!fs::is_regular_file(options.path, ignored))
     throw InputError(options.path, "is a device or a pipe, not a file",
                      "give a file or a folder; a live camera is camera:N");
