@@ -33,16 +33,15 @@ std::string size_text(double width, double height) {
 
 std::string doubt_about_centre(const Pinhole& p) {
   const double x = (p.cx + 0.5) / p.width - 0.5, y = (p.cy + 0.5) / p.height - 0.5;
+  if (std::abs(x) < kOffCentreX && std::abs(y) < kOffCentreY) return {};
   const double turned_x = (p.cx + 0.5) / p.height - 0.5, turned_y = (p.cy + 0.5) / p.width - 0.5;
-  if (std::max(std::abs(x), std::abs(y)) > kOffCentreX &&
-      std::max(std::abs(turned_x), std::abs(turned_y)) < kOffByScale)
+  if (std::max(std::abs(turned_x), std::abs(turned_y)) < kOffCentreX)
     return "Width and height seem to be exchanged: the principal point would be in the middle of " +
            size_text(p.height, p.width) + ".";
   if (std::min(std::abs(x), std::abs(y)) > kOffByScale && std::abs(x - y) < kSameShare)
     return "The camera matrix seems to belong to images of about " + size_text(2 * p.cx + 1, 2 * p.cy + 1) +
            ", not " + size_text(p.width, p.height) +
            ", since the principal point would be in the middle of those.";
-  if (std::abs(x) < kOffCentreX && std::abs(y) < kOffCentreY) return {};
   return "The principal point (" + fixed(p.cx, 0) + ", " + fixed(p.cy, 0) +
          ") is far from the middle of the " + size_text(p.width, p.height) + " image.";
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "edgevo/core/doubtful_frame.h"
 #include "edgevo/core/formatted.h"
 #include "edgevo/run_quality/doubtful_intervals.h"
 #include "edgevo/run_quality/guessed_places.h"
@@ -31,13 +30,10 @@ void add_doubtful(const Run& run, std::vector<ClosingLine>* lines) {
 
 // A warning if they are a quarter of all.
 void add_without_pose(const Run& run, std::vector<ClosingLine>* lines) {
-  const auto lacking = size_t(std::count_if(run.frames.begin(), run.frames.end(), [](const FrameRecord& f) {
-    return !f.T_world_cam && !is_doubtful(f);
-  }));
-  const std::string reason = commonest_lack(run);
-  if (!reason.empty())
-    lines->push_back(
-        {formatted("%zu frames have no pose; mostly: ", lacking) + reason, 4 * lacking >= run.frames.size()});
+  const FramesWithoutPose lacking = frames_without_pose(run);
+  if (!lacking.reason.empty())
+    lines->push_back({formatted("%d frames have no pose; mostly: ", lacking.frames) + lacking.reason,
+                      4 * size_t(lacking.frames) >= run.frames.size()});
 }
 
 // What the exit code says, too.
@@ -49,10 +45,9 @@ std::string problem_of(const RunCounts& n, const std::string& what) {
 }
 
 std::string reason_of(const Run& run, const RunCounts& n) {
+  if (n.with_pose > 0 && n.guessed > n.doubtful_poses()) return "nothing links them to what was before";
   const std::string reason = commonest_doubt(run);
-  if (!reason.empty()) return reason;
-  return n.with_pose == 0 ? "the images ended before there was a map"
-                          : "nothing links them to what was before";
+  return reason.empty() ? "the images ended before there was a map" : reason;
 }
 
 // Decided by the rest of the run, so that who reads it should be able to look.

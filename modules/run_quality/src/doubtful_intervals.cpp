@@ -154,11 +154,13 @@ std::string commonest_doubt(const Run& run) {
   return reasons.commonest();
 }
 
-std::string commonest_lack(const Run& run) {
+FramesWithoutPose frames_without_pose(const Run& run) {
+  FramesWithoutPose lacking;
   ReasonCounts reasons;
   for (const FrameRecord& frame : run.frames)
-    if (!frame.T_world_cam && !is_doubtful(frame)) reasons.add(frame);
-  return reasons.commonest();
+    if (!frame.T_world_cam && !is_doubtful(frame)) ++lacking.frames, reasons.add(frame);
+  lacking.reason = reasons.commonest();
+  return lacking;
 }
 
 }  // namespace edgevo

@@ -35,6 +35,7 @@ INSTANTIATE_TEST_SUITE_P(
         Doubted{"sides_exchanged", {{500, 500, 320, 240, 480, 640}}, "middle of 640x480"},
         Doubted{"centre_near_the_border", {{707, 707, 1100, 183, 1226, 370}}, "far from the middle"},
         Doubted{"centre_aside", {{718.9, 718.9, 687.2, 185.2, 1241, 376}}, "far from the middle"},
+        Doubted{"centre_aside_in_a_square", {{300, 300, 360, 321, 640, 640}}, "far from the middle"},
         Doubted{"half_the_focal_length", {{300, 300, 601, 183, 1226, 370}}, "A view of 128 degrees"},
         Doubted{"telescope", {{12572, 12572, 320, 240, 640, 480}}, "A view of 3 degrees"},
         Doubted{"stretched", {{707, 540, 601, 183, 1226, 370}}, "fx and fy differ by 31 %"},
@@ -60,6 +61,7 @@ TEST(CameraDoubt, RealCamerasAreNotDoubted) {
       {{335.419, 335.353, 129.925, 99.186, 240, 180}, {-0.1386, 0.0934, -0.0003, 0.0002, 0}},  // DAVIS
       {{1035.3, 1035.1, 596.96, 520.41, 1280, 1024}, {-0.0006, -0.0005, 0, 0, 0.0018}},        // endoscope
       {{638.967, 638.967, 182, 337, 364, 674}, {0.0451545, 0, 0, 0, 0}},  // telephone, upright
+      {{500, 500, 320, 335, 640, 600}},                                   // cut at the top
       {{725, 725, 620.5, 187, 1242, 375}}};
   for (const Camera& camera : real) EXPECT_EQ(doubt_about(camera), "") << camera.pinhole().fx;
 }

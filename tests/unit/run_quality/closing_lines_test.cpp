@@ -70,6 +70,15 @@ TEST(FailureStatement, CountsPlacesThatAreAGuess) {
   EXPECT_FALSE(failure_statement(run_in_two_segments({"views of both maps", 0.03}), "it", ""));
 }
 
+TEST(FailureStatement, NamesTheGuessWhereItIsMostOfWhatIsWrong) {
+  edgevo::Run run = run_in_two_segments({"equal speed", 0.5});
+  run.frames[2].state = TrackingState::kDegraded, run.frames[2].note = "few edges";
+  EXPECT_EQ(failure_statement(run, "it", ""),
+            "5 of 10 poses of it are doubtful or in a place that is a guess; mostly: nothing links them to "
+            "what was "
+            "before");
+}
+
 TEST(FailureStatement, NamesTheEndOfTheImagesWhereNothingElseWasNoted) {
   edgevo::Run run = run_with_poses(1, 0);
   run.frames[0].reasons = {{ReasonKind::kFirstView}};

@@ -50,7 +50,14 @@ std::string to_string(const DoubtfulInterval& interval);
 /// if there is none.
 std::string commonest_doubt(const Run& run);
 
-/// Likewise of the frames without a pose that are in no interval of doubtful ones, as before the first map.
-std::string commonest_lack(const Run& run);
+/// Frames without a pose that are in no interval of doubtful ones, as before the first map.
+struct FramesWithoutPose {
+  /// Number of them.
+  int frames = 0;
+  /// The commonest kind of note among them, as in commonest_doubt(); empty if there is none.
+  std::string reason;
+};
+/// Those of the run. Cost: linear.
+FramesWithoutPose frames_without_pose(const Run& run);
 
 }  // namespace edgevo
