@@ -19,10 +19,10 @@ constexpr double kGivenUp = 0.5;
 // As numbers of a posterior.
 constexpr std::array<CameraUnknown, kCameraNumbers> kUnknownOf{kK1, kReadout, kK2, kFocal};
 
-// Seconds: standard deviation of the read-out time that all matches of 30 keyframes share. Three times that
-// of their clusters is none: where rows are not straight it is large because of that, and the time that
-// explains most of it would be insignificant.
-constexpr double kSharedReadout = 0.0015, kSharedKeyframes = 30;
+// Seconds: standard deviation of the read-out time that all matches of a keyframe share. Three times that of
+// their clusters is none: where rows are not straight it is large because of that, and the time that explains
+// most of it would be insignificant.
+constexpr double kSharedReadout = 0.008;
 
 CameraGaussian gaussian_of(const CameraEstimate& e, int keyframes) {
   CameraGaussian g;
@@ -35,7 +35,7 @@ CameraGaussian gaussian_of(const CameraEstimate& e, int keyframes) {
   }
   if (e.free[kReadout]) {
     constexpr int kR = int(CameraNumber::kReadout);
-    g.covariance(kR, kR) += kSharedReadout * kSharedReadout * kSharedKeyframes / keyframes;
+    g.covariance(kR, kR) += kSharedReadout * kSharedReadout / keyframes;
   }
   g.keyframes = keyframes;
   return g;
