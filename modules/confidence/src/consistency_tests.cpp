@@ -59,8 +59,8 @@ double evidence_of_turn(double turn_rad, double length_depths, double error_per_
   return log_odds(probability_beyond(0, error_per_rad * turn_rad, translation_tolerance(length_depths)));
 }
 
-double change_of_step(double step, double usual, double median_depth, double small_step) {
-  const double small = std::isfinite(median_depth) ? small_step * median_depth : 0;
+double change_of_step(double step, double usual, double median_depth) {
+  const double small = std::isfinite(median_depth) ? kSmallStep * median_depth : 0;
   return std::log((step + small) / (usual + small));
 }
 

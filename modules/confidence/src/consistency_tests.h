@@ -32,10 +32,9 @@ double evidence_of_map(double moved_depths, double length_depths);
 /// a translation in proportion to it, for edges and for corners alike. `error_per_rad`: its standard
 /// deviation, median depths per radian.
 double evidence_of_turn(double turn_rad, double length_depths, double error_per_rad);
-/// Natural logarithm of a step over the usual one; negative for shorter steps. Steps up to `small_step`
-/// median depths do not count.
-double change_of_step(double step, double usual, double median_depth,
-                      double small_step = StepGateParams().small);
+/// Natural logarithm of a step over the usual one; negative for shorter steps. Steps up to kSmallStep do
+/// not count.
+double change_of_step(double step, double usual, double median_depth);
 /// Probability that a turn over ten frames, `turn_deg`, is wrong by a wrong focal length (3 degrees): a turn
 /// is the way of the image over the focal length. `focal_error`: true focal length over the camera's, less 1.
 /// A vague estimate speaks against few files: most are right.

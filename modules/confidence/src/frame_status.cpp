@@ -13,6 +13,10 @@
 namespace edgevo {
 namespace {
 
+// Of the points in view, those that a map that is out of view must match to explain a frame: it has few left,
+// and of these a wrong pose matches half.
+constexpr double kExplainedShare = 0.7;
+
 // Why a frame whose pose has this support has no pose or a weak one; empty where it is good.
 Reasons reasons_of(PoseSupport support, const FrameEvidence& evidence, const StatusParams& params) {
   switch (support) {
@@ -51,20 +55,10 @@ void StatusParams::visit(ParamVisitor& v) {
   v.number(kBasic, "lost_share", lost_share, 0, 1,
            "share of the weighted points below which a frame is LOST");
   v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
-  v.integer(kExperimental, "min_edges", min_edges, 0, 100000,
-            "an image with fewer edge pixels shows nothing to follow: a bootstrap alone needs 80 corners");
-  v.integer(
-      kExperimental, "min_known_points", min_known_points, 0, 100000,
-      "with fewer points of known depth a map may be out of view: they may not constrain a translation");
   v.number(
       kExperimental, "away_view_share", away_view_share, 0, 1,
       "share of the window's points in view below which a map is out of view: a pure rotation leaves 3 %, "
       "bad light 40 % and more");
-  v.number(
-      kExperimental, "explained_share", explained_share, 0, 1,
-      "share of the points in view that must be matched for a map that is out of view to explain a frame");
-  v.number(kExperimental, "explained_residual_px", explained_residual_px, 0, 100,
-           "largest RMS distance along the normal of these matches, pixels");
 }
 
 PoseSupport classify(const FrameEvidence& evidence, const StatusParams& params) {
@@ -118,22 +112,19 @@ double covariance_factor(double p_right) {
 }
 
 StatusParams with_counts(StatusParams params, const std::function<int(int)>& count) {
-  for (int* least : {&params.min_visible, &params.min_known_points, &params.min_edges})
-    *least = count(*least);
+  params.min_visible = count(params.min_visible);
   return params;
 }
 
-bool shows_edges(int edges, const StatusParams& params) { return edges >= params.min_edges; }
+bool shows_edges(int edges, const StatusParams& params) { return edges >= params.min_visible; }
 
 bool is_out_of_view(const FrameEvidence& evidence, const StatusParams& params) {
-  return evidence.known_points.value_or(0) < params.min_known_points &&
-         evidence.view_share < params.away_view_share;
+  return evidence.view_share < params.away_view_share;
 }
 
-bool is_explained(const FrameEvidence& evidence, const StatusParams& params) {
+bool is_explained(const FrameEvidence& evidence) {
   const int visible = evidence.visible_points.value_or(0), matched = evidence.matched_points.value_or(0);
-  const double matched_share = visible > 0 ? double(matched) / visible : 0.0;
-  return matched_share >= params.explained_share && evidence.residual_px <= params.explained_residual_px;
+  return visible > 0 && matched >= kExplainedShare * visible;
 }
 
 bool SupportScorer::fits(const PoseCandidate& pose) const {

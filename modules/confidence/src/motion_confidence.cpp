@@ -99,9 +99,7 @@ FrameConfidence MotionConfidence::add(const ConfidenceInput& frame) {
     trust.doubts[size_t(doubt)] = std::isfinite(value) ? value : trust_table::kTerms[size_t(doubt)].usual;
   };
   const double length = motion.length / e.median_depth,
-               change = e.stands
-                            ? 0.0
-                            : change_of_step(motion.step, motion.usual, e.median_depth, params_.step.small);
+               change = e.stands ? 0.0 : change_of_step(motion.step, motion.usual, e.median_depth);
   set(ConsistencyTest::kCorners, evidence_of_corners(e.corners.value_or(CornerEvidence()), length));
   set(ConsistencyTest::kTurn, evidence_of_turn(motion.turn_rad, length, params_.turn_error));
   set(ConsistencyTest::kStep, unusual_steps(change));

@@ -7,9 +7,6 @@ void StepGateParams::visit(ParamVisitor& v) {
   v.number(
       kExperimental, "times", times, 1, 1e6,
       "a step of more than so many usual ones is an outlier: between frames no camera speeds up so much");
-  v.number(
-      kExperimental, "small", small, 0, 1,
-      "median depths a frame up to which a step is a small one: a camera that stood still starts with it");
 }
 
 void ConfidenceParams::visit(ParamVisitor& v) {

@@ -27,8 +27,7 @@ CameraPosterior::State CameraPosterior::state_of(CameraNumber n) const {
 }
 
 bool CameraPosterior::is_at_limit(CameraNumber n) const {
-  constexpr double kClamped = 0.999;  // rounding may differ
-  return given.sigma_of(n) > 0 && std::abs(given.mean_of(n)) >= kClamped * kLargestCameraError[size_t(n)];
+  return given.sigma_of(n) > 0 && std::abs(given.mean_of(n)) >= kLargestCameraError[size_t(n)];
 }
 
 double CameraPosterior::focal_sigma() const {

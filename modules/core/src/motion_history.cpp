@@ -56,10 +56,10 @@ void MotionHistory::begin_map() {
 
 // ---- what is usual ----
 
-double MotionHistory::largest_step(double times, double small_step, double median_depth) const {
+double MotionHistory::largest_step(double times, double median_depth) const {
   const double usual = measured_.median();
   if (!std::isfinite(usual)) return std::numeric_limits<double>::infinity();
-  return times * std::max({usual, measured_.mean(1), small_step * median_depth});
+  return times * std::max({usual, measured_.mean(1), kSmallStep * median_depth});
 }
 
 Eigen::Vector3d MotionHistory::typical_step() const {

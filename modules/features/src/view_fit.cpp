@@ -8,6 +8,7 @@
 
 #include "edgevo/bundle_adjustment/bundle_adjustment.h"
 #include "edgevo/bundle_adjustment/gauge.h"
+#include "edgevo/features/followed_corner.h"
 #include "edgevo/opencv_bridge/opencv_pose.h"
 
 namespace edgevo {
@@ -18,8 +19,7 @@ constexpr double kMinCornerDepth = 1e-6;
 // Inverse depth of a corner that the motion puts behind a camera, 1 / baseline: far away, it moves on from
 // there.
 constexpr double kFarIdepth = 1e-3;
-constexpr double kFollowedSigmaPx = 0.5;  // standard deviation of a corner that was followed
-constexpr double kMaxErrorPx = 2;         // an outlier says no more than this
+constexpr double kMaxErrorPx = 2;  // an outlier says no more than this
 constexpr int kFitIterations = 20;
 
 Eigen::Vector3d ray_of(const Pinhole& pinhole, const cv::Point2f& px) { return pinhole.ray({px.x, px.y}); }

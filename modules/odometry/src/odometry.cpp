@@ -26,7 +26,6 @@ TrackingParams tracking_params(const OdometryParams& p) {
           p.mapping.corners,
           p.keyframe,
           p.recovery.bootstrap_out_of_view,
-          p.recovery.unexplained_frames,
           p.camera.knows_rolling()};
 }
 

@@ -10,10 +10,6 @@ void RecoveryParams::visit(ParamVisitor& v) {
       "without edges do not count");
   v.boolean(kExperimental, "bootstrap_out_of_view", bootstrap_out_of_view,
             "bootstrap a new map while the old one is out of view and does not explain the images");
-  v.integer(
-      kExperimental, "unexplained_frames", unexplained_frames, 1, 1000,
-      "frames that a map out of view does not explain, less those that it does, from which on the new one is "
-      "made: a keyframe may end a shorter interval");
 }
 
 void HealthParams::visit(ParamVisitor& v) {

@@ -6,13 +6,17 @@
 #include <cstdio>
 #include <iterator>
 
+#include "edgevo/core/motion_history.h"
+#include "edgevo/core/motion_tolerance.h"
+
 namespace edgevo {
 namespace {
 
-constexpr int kJoinedFrames = 10;  // right frames between two intervals that are one
-// Units are compared within so many frames of the doubt. Else it left no frame: those that were lost have got
-// poses in the new map.
-constexpr int kComparedWithin = 50;
+// Right frames between two intervals that are one: p_right speaks of the motion over so many.
+constexpr int kJoinedFrames = kMotionTolerance.frames;
+// Units are compared within so many frames of the doubt, as in MotionHistory. Else it left no frame: those
+// that were lost have got poses in the new map.
+constexpr int kComparedWithin = int(MotionHistory::kUsualSteps);
 
 // A step on the way to a map is no cause, however long it takes.
 bool is_cause(const Reason& reason) {

@@ -19,12 +19,23 @@ constexpr double kGivenUp = 0.5;
 // As numbers of a posterior.
 constexpr std::array<CameraUnknown, kCameraNumbers> kUnknownOf{kK1, kReadout, kK2, kFocal};
 
+// Seconds: standard deviation of the read-out time that all matches of a keyframe share. Three times that of
+// their clusters is none: where rows are not straight it is large because of that, and the time that explains
+// most of it would be insignificant.
+constexpr double kSharedReadout = 0.008;
+
 CameraGaussian gaussian_of(const CameraEstimate& e, int keyframes) {
   CameraGaussian g;
+  const auto factor = [](CameraUnknown u) { return u == kReadout ? 1 : kSigmasOfMatches; };
   for (int i = 0; i < kCameraNumbers; ++i) {
-    g.mean[i] = e.value.unknowns()[kUnknownOf[i]];
+    const CameraUnknown a = kUnknownOf[i];
+    g.mean[i] = e.value.unknowns()[a];
     for (int j = 0; j < kCameraNumbers; ++j)
-      g.covariance(i, j) = kSigmasOfMatches * kSigmasOfMatches * e.covariance(kUnknownOf[i], kUnknownOf[j]);
+      g.covariance(i, j) = factor(a) * factor(kUnknownOf[j]) * e.covariance(a, kUnknownOf[j]);
+  }
+  if (e.free[kReadout]) {
+    constexpr int kR = int(CameraNumber::kReadout);
+    g.covariance(kR, kR) += kSharedReadout * kSharedReadout / keyframes;
   }
   g.keyframes = keyframes;
   return g;

@@ -12,8 +12,6 @@
 namespace edgevo {
 namespace {
 
-constexpr double kSigmaPx = 0.3;  // of a followed corner
-constexpr int kMinViews = 4;      // of a corner: more than two, or it shows no focal length
 constexpr size_t kMinCorners = 30;
 // A corner that slid along an edge, or lies on a body that moves, is further off than this by the median.
 constexpr double kOutlier = 3;
@@ -26,7 +24,7 @@ struct Track {
   std::vector<std::pair<int, Eigen::Vector2d>> sights;  // view, pixel
 };
 
-// Corners that are seen in enough views, by ascending id.
+// Corners that are seen in more than half of the views, by ascending id: two views show no focal length.
 std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<FeatureObservations>& views) {
   std::map<uint32_t, Track> by_id;
   for (size_t v = 0; v < views.size(); ++v)
@@ -34,7 +32,7 @@ std::vector<Track> tracks_of(const Pinhole& pinhole, const std::vector<FeatureOb
       by_id[c.id].sights.emplace_back(int(v), pinhole.project(c.ray));
   std::vector<Track> tracks;
   for (auto& [id, track] : by_id)
-    if (int(track.sights.size()) >= kMinViews) tracks.push_back(std::move(track));
+    if (2 * track.sights.size() > views.size()) tracks.push_back(std::move(track));
   return tracks;
 }
 
@@ -76,7 +74,8 @@ CameraProblem make_problem(const Rectification& rectification, const std::vector
     p.points.push_back(point);
     problem.px_host.push_back(px_host);
     for (const auto& [view, px] : track.sights)
-      if (view != host) p.observations.push_back({int(i), view, px, {1, 0}, 1 / kSigmaPx, 1 / kSigmaPx});
+      if (view != host)
+        p.observations.push_back({int(i), view, px, {1, 0}, 1 / kFollowedSigmaPx, 1 / kFollowedSigmaPx});
   }
   return problem;
 }

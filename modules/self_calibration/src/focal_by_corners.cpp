@@ -12,14 +12,11 @@ namespace edgevo {
 namespace {
 
 constexpr size_t kViews = 6;
-constexpr size_t kMinFollowed = 15;  // from view to view: where fewer are, a new window begins
-constexpr double kMinWay = 0.03;     // median way of the corners between two views, widths of the image
-constexpr double kMinTurn = 0.05;    // radians over a window: a way straight on shows no focal length
+constexpr double kMinWay = 0.03;   // median way of the corners between two views, widths of the image
+constexpr double kMinTurn = 0.05;  // radians over a window: a way straight on shows no focal length
 constexpr size_t kMinWindows = 3, kMaxWindows = 9;  // odd: for the median
-constexpr double kMaxSigma = 0.15;                  // of a window that counts, relative
-// Least scatter of windows, and what all may share: rows that are read out one after another, a residual
-// distortion. Relative.
-constexpr double kMinScatter = 0.05, kCommon = 0.04;
+// What all windows may share: rows that are read out one after another, a residual distortion. Relative.
+constexpr double kCommon = 0.04;
 
 std::vector<FollowedCorner> by_file(std::vector<FollowedCorner> corners, const ImageCorrection& lens) {
   for (FollowedCorner& c : corners) c.ray.head<2>() = add_lens(lens, c.ray.head<2>());
@@ -35,8 +32,9 @@ struct FocalByCorners::Impl {
   Rectification rectification;
   std::vector<FeatureObservations> views;
   SE3 T_cam_path;
-  ImageCorrection lens;         // of the last image
-  std::vector<double> windows;  // logarithm of true over file's focal length
+  ImageCorrection lens;  // of the last image
+  // Logarithm of true over file's focal length by window, and the standard deviations that these state.
+  std::vector<double> windows, stated_sigmas;
 
   std::vector<double> displacements_since_view(const std::vector<FollowedCorner>& corners) const;
   void add_view(const std::vector<FollowedCorner>& corners);
@@ -66,7 +64,7 @@ std::vector<double> FocalByCorners::Impl::displacements_since_view(
 void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) {
   if (!views.empty()) {
     const std::vector<double> ways = displacements_since_view(corners);
-    if (ways.size() < kMinFollowed)
+    if (ways.empty())
       views.clear();
     else if (median(ways) < kMinWay)
       return;
@@ -80,7 +78,9 @@ void FocalByCorners::Impl::add_view(const std::vector<FollowedCorner>& corners) 
 
 void FocalByCorners::Impl::measure() {
   const std::optional<FocalError> found = adjust_corners(rectification, views, lens);
-  if (found && found->sigma < kMaxSigma) windows.push_back(std::log1p(found->value));
+  if (!found) return;
+  windows.push_back(std::log1p(found->value));
+  stated_sigmas.push_back(found->sigma / (1 + found->value));
 }
 
 void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::optional<SE3>& T_cur_last,
@@ -92,7 +92,8 @@ void FocalByCorners::add(const std::vector<FollowedCorner>& corners, const std::
   impl_->add_view(by_file(corners, lens));
 }
 
-// One window of five is off by far more than it states: hence the median, and the windows' own scatter.
+// One window of five is off by far more than it states: hence the median, and the windows' own scatter, which
+// is not less than what they state.
 std::optional<FocalError> FocalByCorners::error() const {
   constexpr double kSigmaOverMad = 1.48, kSigmaOfMedian = 1.25;  // of a normal distribution; over the mean's
   const std::vector<double>& windows = impl_->windows;
@@ -100,7 +101,8 @@ std::optional<FocalError> FocalByCorners::error() const {
   const double middle = median(windows);
   std::vector<double> deviations;
   for (const double w : windows) deviations.push_back(std::abs(w - middle));
-  const double scatter = std::max(kMinScatter, student(windows.size()) * kSigmaOverMad * median(deviations));
+  const double scatter =
+      std::max(median(impl_->stated_sigmas), student(windows.size()) * kSigmaOverMad * median(deviations));
   const double sigma = std::hypot(kSigmaOfMedian * scatter / std::sqrt(double(windows.size())), kCommon);
   return FocalError{std::expm1(middle), std::exp(middle) * sigma, int(windows.size())};
 }

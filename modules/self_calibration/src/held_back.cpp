@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -19,7 +20,6 @@ constexpr double kHeldWeight = 1e-3;
 // Factor on the tolerance of the first of two adjustments.
 constexpr double kFirstTolerance = 10;
 constexpr double kMinDepth = 1e-3;
-constexpr size_t kMinMatches = 20;  // of a keyframe that counts
 
 bool is_held_back(int pose) { return pose % kEvery == kEvery - 1; }
 
@@ -72,12 +72,6 @@ double cost_of(const BaProblem& p, const BaObservation& o, double width) {
   return huber(o.normal.dot(p.pinhole.project(Y) - o.px) * o.inv_sigma_normal, width);
 }
 
-// Differences of the costs of a keyframe's matches under two cameras.
-struct Difference {
-  double sum = 0;
-  size_t matches = 0;
-};
-
 }  // namespace
 
 HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate& e, const CameraError& file,
@@ -88,17 +82,15 @@ HeldBack compare_on_held_back(const CameraProblem& problem, const CameraEstimate
                                  as_given = fit_map(rest, file, options);
   if (!estimated || !as_given) return {};
   const BaProblem a = place_held_back(*as_given, options), b = place_held_back(*estimated, options);
-  std::vector<Difference> by_keyframe(rest.file.poses.size());
+  std::map<int, double> by_keyframe;
   for (size_t i = 0; i < a.observations.size(); ++i) {
     const double difference = cost_of(a, a.observations[i], options.huber_width) -
                               cost_of(b, b.observations[i], options.huber_width);
     if (!std::isfinite(difference)) continue;
-    Difference& d = by_keyframe[size_t(a.observations[i].target)];
-    d.sum += difference, ++d.matches;
+    by_keyframe[a.observations[i].target] += difference;
   }
   std::vector<double> gains;
-  for (const Difference& d : by_keyframe)
-    if (d.matches >= kMinMatches) gains.push_back(d.sum / double(d.matches));
+  for (const auto& [target, gain] : by_keyframe) gains.push_back(gain);
   const MeanAndError gain = mean_and_error(gains);
   return {gain.mean, gain.error, int(gains.size())};
 }

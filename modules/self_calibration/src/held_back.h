@@ -7,8 +7,8 @@ namespace edgevo {
 
 /// By how much one camera explains held-back matches better than another.
 struct HeldBack {
-  /// Mean over the held-back keyframes of the difference in robust cost, sigmas squared per match, and its
-  /// standard error. Positive: the estimate is better.
+  /// Mean over the held-back keyframes of the difference in robust cost, sigmas squared a keyframe: one with
+  /// few matches says little. And its standard error. Positive: the estimate is better.
   double gain = 0, standard_error = 0;
   /// Number of keyframes that were held back.
   int keyframes = 0;
@@ -16,9 +16,7 @@ struct HeldBack {
   /// Whether the estimate counts: unless what was held back speaks against it by more than chance. That it
   /// is better by more than chance is for its significance to say: the difference in cost is of second order,
   /// and its sign alone rejected every third right estimate.
-  bool allows_estimate() const { return keyframes > 0 && gain >= -kSigmas * standard_error; }
-
-  static constexpr double kSigmas = 2;
+  bool allows_estimate() const { return keyframes > 0 && gain >= -kImprobable * standard_error; }
 };
 
 /// Compares the estimate `e` with `file`, the camera file's correction. The matches in every fifth keyframe

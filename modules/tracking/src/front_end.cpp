@@ -45,7 +45,7 @@ FrontEnd::FrontEnd(const Rectification& rectification, const TrackingParams& par
       random_(Random::derive(options.seed, 3)),
       history_(history),
       keyframes_(rectification.target(), params.keyframe),
-      coverage_(params.bootstrap_out_of_view, params.status, params.unexplained_frames) {
+      coverage_(params.bootstrap_out_of_view, params.status) {
   if (options.corners_in_parallel)
     corners_in_parallel_ = std::make_unique<CornerSearch>(params, options.seed);
 }
@@ -221,8 +221,7 @@ void FrontEnd::update_zero_velocity(const ArrivedFrame& now, bool was_lost, Trac
 // Where a translation is not observable, points at infinity, or a few wrong ones, allow any.
 std::optional<Reason> FrontEnd::step_gate(const SE3& T_cur_ref) const {
   const double step = motion_.step_to(T_cur_ref),
-               most = history_->largest_step(params_.step.times, params_.step.small,
-                                             1 / reference_->median_idepth);
+               most = history_->largest_step(params_.step.times, 1 / reference_->median_idepth);
   if (step <= most) return std::nullopt;
   return Reason{ReasonKind::kStep, params_.step.times * step / most};
 }

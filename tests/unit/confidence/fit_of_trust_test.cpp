@@ -135,8 +135,7 @@ void add_constants(test::RecordedValues* values) {
   values->add("bounds of a wrong motion, frames, share of length, share of depth, degrees",
               {double(kMotionTolerance.frames), kMotionTolerance.share_of_length,
                kMotionTolerance.share_of_depth, kMotionTolerance.rotation_deg});
-  values->add("largest step that is none, error of a turn",
-              {StepGateParams().small, ConfidenceParams().turn_error});
+  values->add("largest step that is none, error of a turn", {kSmallStep, ConfidenceParams().turn_error});
   TrackingCheck check;
   Matrix6d covariance = Matrix6d::Identity() * 1e-4;
   Sweep moved;

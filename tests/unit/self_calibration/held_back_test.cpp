@@ -10,8 +10,8 @@ TEST(HeldBack, WithoutKeyframesNoEstimateCounts) { EXPECT_FALSE(HeldBack().allow
 
 TEST(HeldBack, OnlyWhatSpeaksAgainstByMoreThanChanceRejects) {
   EXPECT_TRUE((HeldBack{0.02, 0.01, 8}).allows_estimate());
-  EXPECT_TRUE((HeldBack{-0.015, 0.01, 8}).allows_estimate());
-  EXPECT_FALSE((HeldBack{-0.025, 0.01, 8}).allows_estimate());
+  EXPECT_TRUE((HeldBack{-0.025, 0.01, 8}).allows_estimate());
+  EXPECT_FALSE((HeldBack{-0.035, 0.01, 8}).allows_estimate());
 }
 
 }  // namespace

@@ -76,6 +76,18 @@ TEST(SelfCalibration, ARollingShutterShowsEarly) {
   EXPECT_EQ(out.state.applied.k1, 0);
 }
 
+// Matches scatter where rows are not straight yet.
+TEST(SelfCalibration, ARollingShutterShowsEarlyThroughScatteredMatches) {
+  for (const uint64_t seed : {1, 2, 3, 4, 5}) {
+    SyntheticDrive o;
+    o.keyframes = 15, o.readout_s = 0.02;
+    o.noise_px = 1.5, o.step = 0.11, o.seed = seed;
+    const Outcome out = calibrate(o);
+    EXPECT_EQ(readout_state(out.state), State::kApplied) << seed;
+    EXPECT_LT(out.state.given.sigma_of(CameraNumber::kReadout), 0.0035);
+  }
+}
+
 TEST(SelfCalibration, EstimatesOnlyWhatIsRequested) {
   SyntheticDrive o;
   o.k1 = 0.012, o.readout_s = 0.02;

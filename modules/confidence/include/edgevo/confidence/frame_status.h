@@ -70,11 +70,11 @@ StatusParams with_counts(StatusParams params, const std::function<int(int)>& cou
 
 /// Whether an image with that many edge pixels shows something to follow.
 bool shows_edges(int edges, const StatusParams& params);
-/// Whether next to nothing of known depth is in view. Bad light leaves few points of known depth, too, but
-/// they are in view: a new map would see no more of them.
+/// Whether next to nothing of the map is in view. Bad light leaves few points of known depth, too, but they
+/// are in view: a new map would see no more of them.
 bool is_out_of_view(const FrameEvidence& evidence, const StatusParams& params);
-/// Whether all points, also those of guessed depth, lie on edges as well as in view of a map.
-bool is_explained(const FrameEvidence& evidence, const StatusParams& params);
+/// Whether most points, also those of guessed depth, lie on edges as well as in view of a map.
+bool is_explained(const FrameEvidence& evidence);
 
 /// Scores the candidate poses of a frame: support by the image (alignment/pose_evidence.h) times likelihood
 /// of the motion. A pose that moved away from its prior never wins: it is a compromise that neither image nor

@@ -15,16 +15,8 @@ struct StatusParams {
   double lost_share = 0.15;
   /// Points.
   int min_visible = 60;
-  /// Edge pixels.
-  int min_edges = 200;
-  /// Points of known depth in the reference.
-  int min_known_points = 200;
   /// Share of the window's points in view.
   double away_view_share = 0.15;
-  /// Share of the points in view that are matched.
-  double explained_share = 0.7;
-  /// RMS along the normal.
-  double explained_residual_px = 1.0;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);
@@ -34,9 +26,6 @@ struct StatusParams {
 struct StepGateParams {
   /// Length over the usual one (core/motion_history.h).
   double times = 10;
-  /// Median depths a frame: a camera that stands still may start to move, and what is usual until then says
-  /// nothing.
-  double small = 0.002;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

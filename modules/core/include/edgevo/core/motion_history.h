@@ -62,8 +62,8 @@ class MotionHistory {
   void begin_map();
 
   /// Largest measured step that is believed: `times` the usual one (the median of the last 50), the one
-  /// before, or `small_step` median depths, whichever is the largest. Infinite until ten are known.
-  double largest_step(double times, double small_step, double median_depth) const;
+  /// before, or kSmallStep of `median_depth`, whichever is the largest. Infinite until ten are known.
+  double largest_step(double times, double median_depth) const;
   /// Measured translation of points in the camera's axes at the usual speed (that median), in the direction
   /// of the last step that counts; 0 until ten are known.
   Eigen::Vector3d typical_step() const;

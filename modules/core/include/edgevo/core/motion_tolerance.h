@@ -17,5 +17,8 @@ struct MotionTolerance {
 };
 /// The bounds in use; chosen, not fitted.
 inline constexpr MotionTolerance kMotionTolerance;
+/// Median depths a frame up to which a step is a small one: over all frames of a motion it stays within the
+/// tolerance. A camera that stands still may start to move, and what is usual until then says nothing.
+inline constexpr double kSmallStep = kMotionTolerance.share_of_depth / kMotionTolerance.frames;
 
 }  // namespace edgevo

@@ -5,6 +5,9 @@
 
 namespace edgevo {
 
+/// Standard deviation of the place of a corner that was followed from one image to another, pixels.
+constexpr double kFollowedSigmaPx = 0.5;
+
 /// A corner that is followed from image to image.
 struct FollowedCorner {
   /// Ascends over the whole run; a lost corner's number is not used again.

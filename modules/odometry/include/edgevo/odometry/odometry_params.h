@@ -18,8 +18,6 @@ struct RecoveryParams {
   /// Run a bootstrap next to a map that is still tracked, if the map is out of view and does not explain the
   /// images (src/map_coverage.h).
   bool bootstrap_out_of_view = true;
-  /// Frames.
-  int unexplained_frames = 12;
 
   /// Names, ranges and texts of the fields (core/params.h).
   void visit(ParamVisitor& v);

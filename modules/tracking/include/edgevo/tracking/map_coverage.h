@@ -14,10 +14,10 @@ enum class MapInView { kYes, kNo, kUncertain };
 /// Watches how well the part of the map in view explains the frames.
 class MapCoverage {
  public:
-  /// `may_be_out_of_view` false: the answer is never kNo. `unexplained_frames`: so many more frames that the
-  /// map does not explain than frames that it explains make it kNo.
-  MapCoverage(bool may_be_out_of_view, const StatusParams& params, int unexplained_frames)
-      : may_be_out_of_view_(may_be_out_of_view), params_(params), many_unexplained_(unexplained_frames) {}
+  /// `may_be_out_of_view` false: the answer is never kNo. It is kNo after twelve more frames that
+  /// the map does not explain than frames that it explains.
+  MapCoverage(bool may_be_out_of_view, const StatusParams& params)
+      : may_be_out_of_view_(may_be_out_of_view), params_(params) {}
 
   /// Call after each frame with a pose.
   MapInView look(const FrameEvidence& evidence);
@@ -27,7 +27,6 @@ class MapCoverage {
  private:
   bool may_be_out_of_view_;
   StatusParams params_;
-  int many_unexplained_;
   /// Recent frames that the map does not explain, less those that it explains; never negative.
   int unexplained_frames_ = 0;
 };

@@ -24,8 +24,6 @@ struct TrackingParams {
   KeyframeParams keyframe;
   /// Whether a map that is out of view and explains nothing counts as such (map_coverage.h).
   bool bootstrap_out_of_view = true;
-  /// Frames after which it does.
-  int unexplained_frames = 12;
   /// Whether keyframes carry the motion of their rows (SelfCalibrationParams::knows_rolling).
   bool rectify_keyframes = false;
 };
