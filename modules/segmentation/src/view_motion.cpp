@@ -38,7 +38,8 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
     const size_t block = size_t(edges.block(e.cell));
     ++all[block], seen[block] += e.seen, slid[block] += e.seen || e.slid;
   }
-  if (!stands_) blocks_.assign(kBlocks, Block::kMoves);
+  if (!stands_) before_.assign(kBlocks, Block::kMoves);
+  blocks_ = before_;
   moves_.assign(kBlocks, 0);
   std::vector<uint8_t> stays(kBlocks);
   voting_ = moving_ = still_ = 0;
@@ -59,6 +60,7 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
   }
   is_passed_ = still_ > (1 - kMinStill) * voting_ && !is_still() && is_one_body(stays);
   decide(stood, still_standing);
+  if (!is_passed_) before_ = blocks_;
   standing_ = stands_ ? standing_ + 1 : 0;
   since_moving_ = stands_ || is_passed_ || moving_ <= still_ ? since_moving_ + 1 : 0;
 }

@@ -47,6 +47,7 @@ class ViewMotion {
   bool is_passed_ = false;  // by what may be one body, all that moves
   std::vector<uint8_t> moves_;
   std::vector<Block> blocks_;  // how each left its place, since the camera stands
+  std::vector<Block> before_;  // the same before a body passed
   // Of a camera that stands: whether nearly all was seen to stand still; images in a row in which most moved,
   // each by the blocks that still stand.
   bool was_all_still_ = false;

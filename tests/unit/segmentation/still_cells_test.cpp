@@ -151,6 +151,22 @@ TEST(StillCells, MoveBehindADashboardAsLargeAsTheSceneNextToATrain) {
   EXPECT_NEAR(newest->ego_share(), 0.375, 0.06);
 }
 
+// What stood is that of before all that moves might have been one body.
+TEST(StillCells, MoveBehindADashboardAfterAStandstill) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 60; ++i) {
+    const Body dashboard = [&](double x, double y) -> std::optional<double> {
+      if (y > 200) return random_blocks(x, y, 2);
+      return receding_blocks(x, y, std::max(0, i - 20));
+    };
+    builder.build(part_view(0, 0, dashboard, uint64_t(i + 1)));
+    if (i == 20) {
+      EXPECT_GT(builder.masks.still_cells().images, 15);
+    }
+  }
+  EXPECT_EQ(builder.masks.still_cells().images, 0);
+}
+
 TEST(StillCells, AreThoseThatABusDoesNotCover) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   show(&builder, 4, 3, 1.3, no_body);
