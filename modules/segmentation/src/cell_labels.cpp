@@ -162,16 +162,11 @@ bool CellLabels::add(const ImageEdges& edges, const Gradient& gradient, const Pl
     return false;
   }
   recent_->look(gradient, rows, motion_.stands());
-  const std::vector<uint8_t> votes = voters();
-  motion_.vote(*recent_, votes, [&](const std::vector<uint8_t>& stays) {
-    return body_.is_seen(*recent_, gradient, rows, votes, stays, motion_.stands());
-  });
-  body_.renew([&](KeptEdges* base) { base->renew(edges, gradient, shown, rows, takes_part_); });
-  if (motion_.is_still()) body_.clear();
+  motion_.vote(*recent_, voters());
   if (!motion_.is_moving()) return false;
   kept_->look(gradient, rows);
-  motion_of_kept_.vote(*kept_, votes, [](const auto&) { return false; });
-  weigh(kept_->chances(motion_of_kept_.moves(), votes));
+  motion_of_kept_.vote(*kept_, voters());
+  weigh(kept_->chances(motion_of_kept_.moves(), voters()));
   label();
   recent_->renew(edges, gradient, shown, rows, takes_part_);
   if (++age_ % kOld == 0) {

@@ -15,7 +15,6 @@
 #include <optional>
 #include <vector>
 
-#include "common_shift.h"
 #include "edgevo/edges/gradient.h"
 #include "edgevo/edges/image_edges.h"
 #include "edgevo/edges/plane.h"
@@ -62,7 +61,6 @@ class CellLabels {
   // Of the last image from which most of the view moved, and of one 8 to 16 such images earlier.
   std::optional<KeptEdges> recent_, kept_, next_;
   ViewMotion motion_, motion_of_kept_;
-  CommonShift body_;
   int age_ = 0;                                       // of what is kept, images
   std::vector<uint8_t> takes_part_, fixed_, masked_;  // by cell
   std::vector<Directions> directions_;                // by cell

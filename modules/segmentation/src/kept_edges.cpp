@@ -65,19 +65,16 @@ int KeptEdges::kind(const EdgePixel& e) const {
   return (row * kRegions + column) * kDirections + int(angle) % kDirections;
 }
 
-bool KeptEdges::shows(const KeptEdge& e, const Gradient& gradient, const RowShifts& rows,
-                      const Eigen::Vector2f& shift) const {
-  const Eigen::Vector2f px = Eigen::Vector2f(e.x, e.y) - rows.at(e.x, e.y) + shift;
-  return is_inside(px.x(), px.y()) && shows_edge(gradient, px.x(), px.y(), e.nx, e.ny);
-}
-
 void KeptEdges::look(const Gradient& gradient, const RowShifts& rows, bool looks_around) {
   for (KeptEdge& e : edges_) {
-    const auto shown_at = [&](float across) {
-      return shows(e, gradient, rows, across * Eigen::Vector2f(e.nx, e.ny));
-    };
-    e.seen = shown_at(0);
-    e.slid = looks_around && !e.seen && (shown_at(-2) || shown_at(-1) || shown_at(1) || shown_at(2));
+    const Eigen::Vector2f px = Eigen::Vector2f(e.x, e.y) - rows.at(e.x, e.y);
+    e.seen = is_inside(px.x(), px.y()) && shows_edge(gradient, px.x(), px.y(), e.nx, e.ny);
+    e.slid = false;
+    for (const float side : {-2.f, -1.f, 1.f, 2.f}) {
+      if (!looks_around || e.seen || e.slid) break;
+      const float x = px.x() + side * e.nx, y = px.y() + side * e.ny;
+      e.slid = is_inside(x, y) && shows_edge(gradient, x, y, e.nx, e.ny);
+    }
   }
 }
 

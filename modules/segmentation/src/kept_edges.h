@@ -55,11 +55,6 @@ class KeptEdges {
   /// For images of this size; `cell_px`: side of a cell, pixels; of `step` pixels along an edge, which say
   /// the same, one is kept.
   KeptEdges(int width, int height, int cell_px, size_t step);
-  /// Whether an image shows one of them, moved by a shift.
-  bool shows(const KeptEdge& e, const Gradient& gradient, const RowShifts& rows,
-             const Eigen::Vector2f& shift) const;
-  /// Whether a place and its neighbours lie inside the image.
-  bool contains(const Eigen::Vector2f& px) const { return is_inside(px.x(), px.y()); }
   /// Looks for all of them in an image. Cost: 0.1 ms for 4000.
   void look(const Gradient& gradient, const RowShifts& rows, bool looks_around = false);
   /// Replaces them by those of another image, where `takes_part` of the cell is not 0. A cell without one

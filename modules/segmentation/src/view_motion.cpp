@@ -16,21 +16,20 @@ constexpr double kMaxCrossing = 60;
 
 }  // namespace
 
-void ViewMotion::decide(int stood, int still_standing) {
+void ViewMotion::decide(int still, int stood, int still_standing) {
   const auto number = [&](Block how) { return int(std::count(blocks_.begin(), blocks_.end(), how)); };
   const int hidden = number(Block::kHidden), left = stood - still_standing;
   const bool at_once = still_standing < kMinStill * stood && 2 * left >= hidden;
-  const bool slides_off = number(Block::kSlid) > hidden + still_;
-  stands_ = stands_ ? is_passed_ || (!at_once && !slides_off) : voting_ > 0 && 2 * still_ >= voting_;
-  was_all_still_ = stands_ && (was_all_still_ || still_ >= kMinStill * voting_);
+  const bool slides_off = number(Block::kSlid) > hidden + still;
+  stands_ = stands_ ? !at_once && !slides_off : voting_ > 0 && 2 * still >= voting_;
+  was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
   // What still stands after a camera has driven off behind a bus would stand by chance, block by block.
   const double unsupported = 1.0 / (was_all_still_ ? 1 + still_standing : 1);
   crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + unsupported : 0;
   if (crossed_images_ > kMaxCrossing) stands_ = false;
 }
 
-void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
-                      const std::function<bool(const std::vector<uint8_t>&)>& is_one_body) {
+void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes) {
   constexpr size_t kBlocks = kColumns * kRows;
   std::vector<int> all(kBlocks), seen(kBlocks), slid(kBlocks);
   for (const KeptEdge& e : edges.all()) {
@@ -38,12 +37,10 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
     const size_t block = size_t(edges.block(e.cell));
     ++all[block], seen[block] += e.seen, slid[block] += e.seen || e.slid;
   }
-  if (!stands_) before_.assign(kBlocks, Block::kMoves);
-  blocks_ = before_;
+  if (!stands_) blocks_.assign(kBlocks, Block::kMoves);
   moves_.assign(kBlocks, 0);
-  std::vector<uint8_t> stays(kBlocks);
-  voting_ = moving_ = still_ = 0;
-  int stood = 0, still_standing = 0;
+  voting_ = moving_ = 0;
+  int still = 0, stood = 0, still_standing = 0;
   for (size_t i = 0; i < kBlocks; ++i) {
     const bool was_still = blocks_[i] == Block::kStill;
     if (all[i] < kMinInBlock) continue;
@@ -51,18 +48,15 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
     moves_[i] = 2 * seen[i] < all[i];
     moving_ += moves_[i];
     const bool is_still = seen[i] >= kMinStill * all[i];
-    stays[i] = is_still;
-    still_ += is_still, stood += was_still, still_standing += was_still && is_still;
+    still += is_still, stood += was_still, still_standing += was_still && is_still;
     if (is_still)
       blocks_[i] = Block::kStill;
     else if (was_still)
       blocks_[i] = slid[i] >= kMinStill * all[i] ? Block::kSlid : Block::kHidden;
   }
-  is_passed_ = still_ > (1 - kMinStill) * voting_ && !is_still() && is_one_body(stays);
-  decide(stood, still_standing);
-  if (!is_passed_) before_ = blocks_;
+  decide(still, stood, still_standing);
   standing_ = stands_ ? standing_ + 1 : 0;
-  since_moving_ = stands_ || is_passed_ || moving_ <= still_ ? since_moving_ + 1 : 0;
+  since_moving_ = stands_ || moving_ <= still ? since_moving_ + 1 : 0;
 }
 
 StillCells ViewMotion::still_cells() const {

@@ -2,7 +2,6 @@
 #pragma once
 // How much of the view moves, from edges and the steepest pixels between them, by its extent: each block has
 // one vote, however many edges it shows. What is known to be fixed to the camera has none.
-#include <functional>
 #include <vector>
 
 #include "edgevo/segmentation/still_cells.h"
@@ -22,16 +21,12 @@ class ViewMotion {
   static constexpr int kColumns = 16, kRows = 8;
 
   /// Takes a vote: edges of an image, as the present one shows them. `votes`, by cell: 0 where they are no
-  /// evidence. `is_one_body(stays)`: whether what moves may be a body (CommonShift), evaluated if more than
-  /// three tenths of the view, `stays`, but not half of it do not.
-  void vote(const KeptEdges& edges, const std::vector<uint8_t>& votes,
-            const std::function<bool(const std::vector<uint8_t>&)>& is_one_body);
-  /// Whether most of the view moves, and no body passes for it, so that what does not move is evidence.
-  bool is_moving() const { return !stands_ && !is_passed_ && voting_ > 0 && 2 * moving_ >= voting_; }
+  /// evidence.
+  void vote(const KeptEdges& edges, const std::vector<uint8_t>& votes);
+  /// Whether most of the view moves, so that what does not is evidence.
+  bool is_moving() const { return !stands_ && voting_ > 0 && 2 * moving_ >= voting_; }
   /// Whether the camera seems to stand.
   bool stands() const { return stands_; }
-  /// Whether most of the view stays.
-  bool is_still() const { return 2 * still_ >= voting_; }
   /// By block: 1 where most edges leave their place.
   const std::vector<uint8_t>& moves() const { return moves_; }
   /// The blocks that stand still before a camera that stands; else empty.
@@ -39,15 +34,13 @@ class ViewMotion {
 
  private:
   enum class Block : uint8_t { kMoves, kStill, kSlid, kHidden };
-  void decide(int stood, int still_standing);
+  void decide(int still, int stood, int still_standing);
 
-  int voting_ = 0, moving_ = 0, still_ = 0;  // blocks
-  int standing_ = 0, since_moving_ = 0;      // images
+  int voting_ = 0, moving_ = 0;
+  int standing_ = 0, since_moving_ = 0;  // images
   bool stands_ = false;
-  bool is_passed_ = false;  // by what may be one body, all that moves
   std::vector<uint8_t> moves_;
   std::vector<Block> blocks_;  // how each left its place, since the camera stands
-  std::vector<Block> before_;  // the same before a body passed
   // Of a camera that stands: whether nearly all was seen to stand still; images in a row in which most moved,
   // each by the blocks that still stand.
   bool was_all_still_ = false;

@@ -25,7 +25,6 @@ using test::on_part;
 using test::part_camera;
 using test::part_view;
 using test::random_blocks;
-using test::receding_blocks;
 using test::show;
 
 struct Covered {
@@ -158,7 +157,7 @@ GrayImage before_pale_scene(int i, const Body& body) {
       0, 0,
       [&](double x, double y) -> std::optional<double> {
         if (const std::optional<double> gray = body(x, y)) return gray;
-        return 20 + 0.9 * receding_blocks(x, y, i);
+        return 20 + 0.9 * random_blocks((x + 3 * i) / 1.5, (y + 1.3 * i) / 1.5, 1);
       },
       uint64_t(i + 1));
 }
@@ -183,7 +182,7 @@ TEST(CellLabels, ATexturedPartDoesNotOutvoteAFaintScene) {
   for (int i = 0; i < 30; ++i) {
     const Body view = [&](double x, double y) -> std::optional<double> {
       if (const std::optional<double> gray = textured(x, y)) return gray;
-      return 100 + 0.4 * receding_blocks(x, y, i);
+      return 100 + 0.4 * random_blocks(x + 3 * i, y + 1.3 * i, 1);
     };
     pyramid = builder.build(part_view(0, 0, view, uint64_t(i + 1)));
   }

@@ -2,8 +2,6 @@
 // The cells of the view that show that the camera stands.
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "view_of_part.h"
 
 namespace edgevo {
@@ -17,7 +15,6 @@ using test::no_body;
 using test::part_camera;
 using test::part_view;
 using test::random_blocks;
-using test::receding_blocks;
 using test::show;
 
 TEST(StillCells, ShowThatTheCameraStandsFromTheThirdImageOnWhateverCrosses) {
@@ -106,65 +103,6 @@ TEST(StillCells, MoveOnceTheViewHasSlidAway) {
     if (builder.masks.still_cells().images == 0) moved_at = i;
   }
   EXPECT_GT(moved_at, 5);
-}
-
-// One over six tenths of the view that sets off slowly, so that its blocks slide as those of a scene do.
-TEST(StillCells, StandWhileATrainSetsOff) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 90; ++i) {
-    const double moved = 0.03 * std::pow(std::max(0, i - 5), 2);
-    const Body train = [&](double x, double y) -> std::optional<double> {
-      if (y > 200) return std::nullopt;
-      return random_blocks(x - moved, y, 3);
-    };
-    ASSERT_FALSE(builder.build(part_view(0, 0, train, uint64_t(i + 1)))->ego_mask) << i;
-    EXPECT_EQ(builder.masks.still_cells().images, i) << "no map is begun";
-  }
-}
-
-// A train that moves already is not known from a scene, so no map is begun of it either.
-TEST(StillCells, HaveNoEndWhileATrainPasses) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 60; ++i) {
-    const Body train = [&](double x, double y) -> std::optional<double> {
-      if (y > 200) return std::nullopt;
-      return random_blocks(x - 4 * i, y, 3);
-    };
-    ASSERT_FALSE(builder.build(part_view(0, 0, train, uint64_t(i + 1)))->ego_mask) << i;
-    EXPECT_EQ(builder.masks.still_cells().images, i);
-  }
-}
-
-// The same share of the view, but what moves does not move all alike: the camera backs off.
-TEST(StillCells, MoveBehindADashboardAsLargeAsTheSceneNextToATrain) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  std::shared_ptr<const FramePyramid> newest;
-  for (int i = 0; i < 30; ++i) {
-    const Body dashboard = [&](double x, double y) -> std::optional<double> {
-      if (y > 200) return random_blocks(x, y, 2);
-      return receding_blocks(x, y, i);
-    };
-    newest = builder.build(part_view(0, 0, dashboard, uint64_t(i + 1)));
-  }
-  EXPECT_EQ(builder.masks.still_cells().images, 0);
-  ASSERT_TRUE(newest->ego_mask);
-  EXPECT_NEAR(newest->ego_share(), 0.375, 0.06);
-}
-
-// What stood is that of before all that moves might have been one body.
-TEST(StillCells, MoveBehindADashboardAfterAStandstill) {
-  MaskedBuilder builder(part_camera(), EdgeParams());
-  for (int i = 0; i < 60; ++i) {
-    const Body dashboard = [&](double x, double y) -> std::optional<double> {
-      if (y > 200) return random_blocks(x, y, 2);
-      return receding_blocks(x, y, std::max(0, i - 20));
-    };
-    builder.build(part_view(0, 0, dashboard, uint64_t(i + 1)));
-    if (i == 20) {
-      EXPECT_GT(builder.masks.still_cells().images, 15);
-    }
-  }
-  EXPECT_EQ(builder.masks.still_cells().images, 0);
 }
 
 TEST(StillCells, AreThoseThatABusDoesNotCover) {
