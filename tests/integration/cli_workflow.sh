@@ -27,7 +27,7 @@ untimed_table whole/table.csv
 # Killed when the first trial is done: the program, its engine and the running job.
 "$edgevo" bench list.yaml -o killed >stdout 2>stderr </dev/null &
 pid=$!
-for i in $(seq 600); do [ "$(ls killed/desk/*/*/job.yaml 2>/dev/null | wc -l)" -ge 1 ] && break; sleep 0.1; done
+for i in $(seq 600); do [ "$(ends killed)" -ge 1 ] && break; sleep 0.1; done
 kill -9 $pid
 wait $pid 2>/dev/null
 for process in $(grep -l -a -e "$work/killed/workflow/list.yaml" /proc/[0-9]*/cmdline 2>/dev/null | cut -d/ -f3); do
