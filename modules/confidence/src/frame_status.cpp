@@ -54,7 +54,9 @@ void StatusParams::visit(ParamVisitor& v) {
            "share of the weighted points below which a frame is DEGRADED");
   v.number(kBasic, "lost_share", lost_share, 0, 1,
            "share of the weighted points below which a frame is LOST");
-  v.integer(kAdvanced, "min_visible", min_visible, 6, 10000, "with fewer points in view a frame is LOST");
+  v.integer(
+      kAdvanced, "min_visible", min_visible, 6, 10000,
+      "with fewer points in view a frame is LOST; with fewer edge pixels an image shows nothing to follow");
   v.number(
       kExperimental, "away_view_share", away_view_share, 0, 1,
       "share of the window's points in view below which a map is out of view: a pure rotation leaves 3 %, "

@@ -19,9 +19,9 @@ constexpr double kGivenUp = 0.5;
 // As numbers of a posterior.
 constexpr std::array<CameraUnknown, kCameraNumbers> kUnknownOf{kK1, kReadout, kK2, kFocal};
 
-// Seconds: standard deviation of the read-out time that all matches of a keyframe share. Three times that of
-// their clusters is none: where rows are not straight it is large because of that, and the time that explains
-// most of it would be insignificant.
+// Seconds: standard deviation of the read-out time that all matches of a keyframe share. kSigmasOfMatches is
+// no substitute: where rows are not straight yet, clusters scatter by themselves, and the time that
+// straightens them would be insignificant.
 constexpr double kSharedReadout = 0.008;
 
 CameraGaussian gaussian_of(const CameraEstimate& e, int keyframes) {

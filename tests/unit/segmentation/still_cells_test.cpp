@@ -15,6 +15,7 @@ using test::no_body;
 using test::part_camera;
 using test::part_view;
 using test::random_blocks;
+using test::receding_blocks;
 using test::show;
 
 TEST(StillCells, ShowThatTheCameraStandsFromTheThirdImageOnWhateverCrosses) {
@@ -103,6 +104,21 @@ TEST(StillCells, MoveOnceTheViewHasSlidAway) {
     if (builder.masks.still_cells().images == 0) moved_at = i;
   }
   EXPECT_GT(moved_at, 5);
+}
+
+TEST(StillCells, MoveBehindADashboardAfterAStandstill) {
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  for (int i = 0; i < 60; ++i) {
+    const Body dashboard = [&](double x, double y) -> std::optional<double> {
+      if (y > 200) return random_blocks(x, y, 2);
+      return receding_blocks(x, y, std::max(0, i - 20));
+    };
+    builder.build(part_view(0, 0, dashboard, uint64_t(i + 1)));
+    if (i == 20) {
+      EXPECT_GT(builder.masks.still_cells().images, 15);
+    }
+  }
+  EXPECT_EQ(builder.masks.still_cells().images, 0);
 }
 
 TEST(StillCells, AreThoseThatABusDoesNotCover) {

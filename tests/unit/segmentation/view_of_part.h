@@ -21,6 +21,12 @@ inline double random_blocks(double x, double y, uint64_t seed) {
   return 40 + 170 * Random::derive(seed, cell(x) * 1000003 + cell(y)).uniform();
 }
 
+// Those of image i before a camera that backs off and turns.
+inline double receding_blocks(double x, double y, int i) {
+  const double size = 1.5 / (1 + 0.01 * i);
+  return random_blocks((x + 3 * i) / size, (y + 1.3 * i) / size, 1);
+}
+
 inline bool on_part(double x, double y) { return x > 170 && x < 330 && y > 210; }
 
 inline Camera part_camera() {

@@ -13,7 +13,7 @@ struct StatusParams {
   double degraded_share = 0.4;
   /// Share of the weighted points.
   double lost_share = 0.15;
-  /// Points.
+  /// Points in view, or edge pixels of an image.
   int min_visible = 60;
   /// Share of the window's points in view.
   double away_view_share = 0.15;
