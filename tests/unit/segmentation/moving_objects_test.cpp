@@ -70,10 +70,25 @@ TEST_F(Bodies, ABodyThatComesIntoViewIsCoveredAsItDoes) {
   EXPECT_LT(area.right, 19 + 70 + 12);
 }
 
-TEST_F(Bodies, ABodyThatStandsIsGivenUp) {
+TEST_F(Bodies, ABodyThatStandsIsGivenUpAfterSixtyFrames) {
   ASSERT_TRUE(look(right_by(6)));
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(follow(right_by(6)), 0);
+  for (int i = 0; i < 61; ++i) EXPECT_EQ(follow(right_by(6)), 0);
   EXPECT_EQ(scene(), reference);
+}
+
+// A lorry that is followed looks far away until the gap changes.
+TEST_F(Bodies, ABodyThatKeepsItsPlaceForLongStaysOnProbation) {
+  ASSERT_TRUE(look(right_by(6)));
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(follow(right_by(6)), 0);
+  EXPECT_LT(scene()->cloud.points.size(), reference->cloud.points.size());
+  EXPECT_EQ(follow(right_by(12)), 1);
+}
+
+TEST_F(Bodies, ABodyThatCountsDoesSoForAsLongAsItIsSeen) {
+  ASSERT_TRUE(look(right_by(6)));
+  ASSERT_EQ(follow(right_by(12)), 1);
+  for (int i = 0; i < 90; ++i) follow(right_by(12 + i % 2));
+  EXPECT_EQ(bodies.areas().boxes.size(), 1u);
 }
 
 TEST_F(Bodies, ABodyThatIsNoLongerSeenIsForgotten) {

@@ -19,14 +19,15 @@ namespace edgevo {
 
 /// The moving bodies in view. For the thread that tracks.
 ///
-/// A new one is on probation: it takes no part in poses, and nothing else. It counts once its motion since it
-/// was found is one that a scene that stands still cannot have, and is given up if it has none soon. Then
-/// it grows over what moves with it: it may have been found by a part, and in a turn its image is no
-/// similarity of what it was.
+/// A new one is on probation: it takes no part in poses, and nothing else. A lorry that is followed looks
+/// like what is far away, for as long as the gap stays or closes evenly; so this may last 60 frames. It
+/// counts once its motion since it was found is one that a scene that stands still cannot have. Then it grows
+/// over what moves with it: it may have been found by a part, and in a turn its image is no similarity of
+/// what it was.
 class MovingObjects {
  public:
-  /// Follows the known bodies into the next image; drops those that are no longer seen or were found long
-  /// ago: a body that still moves by itself is then found anew. Cost: nothing without bodies, else 1 ms each.
+  /// Follows the known bodies into the next image; drops those that are no longer seen, or do not count after
+  /// 60 frames. Cost: nothing without bodies, else 1 ms each.
   void follow(const FramePyramid& frame);
   /// Looks for a body that contradicts the pose of the newest frame. Returns true if there is a new one: the
   /// frame must be aligned again, without it.
@@ -73,7 +74,6 @@ class MovingObjects {
   static bool is_proved(const Pinhole& pinhole, double median_idepth, const Body& body);
 
   std::vector<Body> bodies_;
-  int rest_ = 0;  // frames without a search
 };
 
 }  // namespace edgevo
