@@ -21,8 +21,9 @@ constexpr size_t kMinFollowed = 40;     // that have moved as it did
 constexpr double kTrimmed = 0.02;       // of a body's edges on each side: neighbours of the scene
 constexpr int kMinPosePoints = 60;      // that constrain a pose
 constexpr int kMaxProbation = 60;       // frames: what it hides of the scene is missed by the pose
-// Of a body from where a scene that stands still could be: poses and similarities are good to a pixel.
-constexpr double kProofPx = 3;
+// Of a body from where a scene that stands still could be, three sigmas: poses are good to a pixel, and the
+// image of a part with a relief is a similarity to a twentieth of the parallax.
+constexpr double kProofPx = 3, kProofParallax = 0.15;
 // Next to a body, and growing with it: of the width, edges, and their share with its motion.
 constexpr int kStrips = 32;
 constexpr size_t kMinInStrip = 12;
@@ -201,21 +202,30 @@ bool MovingObjects::look(const FramePyramid& frame, const Reference& reference, 
   return true;
 }
 
-bool MovingObjects::is_proved(const Pinhole& pinhole, double median_idepth, const Body& body) {
-  const StaticComparison c =
-      compare_with_static(pinhole, body.T_cur_first, median_idepth, body.first_pixels, body.motion);
-  return c.distance_px > kProofPx || (c.is_fixed && c.parallax_px > kSceneMovesBodyPx);
+bool MovingObjects::is_proved(const StaticComparison& c) {
+  return c.distance_px > std::hypot(kProofPx, kProofParallax * c.parallax_px) ||
+         (c.is_fixed && c.parallax_px > kSceneMovesBodyPx);
+}
+
+// What is followed looks far away; this is nearer than most of the scene, and the map had its depth wrong.
+bool MovingObjects::is_scene(const StaticComparison& c) {
+  return c.own_parallax_px > std::max(kProofPx, c.parallax_px);
 }
 
 int MovingObjects::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth) {
   int proved = 0;
-  for (Body& b : bodies_) {
+  const auto is_none = [&](Body& b) {
     if (b.counts) grow(pinhole, T_cur_last, median_idepth, &b);
-    if (b.counts || b.age == 0) continue;
+    if (b.counts || b.age == 0) return false;
     b.T_cur_first = T_cur_last * b.T_cur_first;
-    b.counts = b.unseen == 0 && is_proved(pinhole, median_idepth, b);
+    if (b.unseen > 0) return false;
+    const StaticComparison c =
+        compare_with_static(pinhole, b.T_cur_first, median_idepth, b.first_pixels, b.motion);
+    b.counts = is_proved(c);
     proved += b.counts;
-  }
+    return !b.counts && is_scene(c);
+  };
+  bodies_.erase(std::remove_if(bodies_.begin(), bodies_.end(), is_none), bodies_.end());
   return proved;
 }
 
