@@ -123,7 +123,7 @@ StaticComparison compare_with_static(const Pinhole& camera, const SE3& T_cur_ref
                                      const std::vector<OrientedPixel>& group, const ImageSimilarity& motion) {
   const Eigen::Matrix3d R = T_cur_ref.R();
   const Eigen::Vector3d t = T_cur_ref.translation();
-  std::vector<double> distances, parallaxes;
+  std::vector<double> distances, own, parallaxes;
   for (const OrientedPixel& p : thinned(group, kMaxGroupPixels)) {
     const Eigen::Vector3d ray = camera.ray(p.px);
     const Projection far = project(camera, R, t, ray, 0), usual = project(camera, R, t, ray, median_idepth);
@@ -137,10 +137,12 @@ StaticComparison compare_with_static(const Pinhole& camera, const SE3& T_cur_ref
     const double along =
         line.squaredNorm() > 0 ? std::clamp(moved.dot(line) / line.squaredNorm(), 0.0, 1.0) : 0.0;
     distances.push_back((moved - along * line).norm());
+    own.push_back(along * line.norm());
     if (usual.valid) parallaxes.push_back((usual.px - far.px).norm());
   }
   StaticComparison c;
   if (!distances.empty()) c.distance_px = median(std::move(distances));
+  if (!own.empty()) c.own_parallax_px = median(std::move(own));
   if (!parallaxes.empty()) c.parallax_px = median(std::move(parallaxes));
   c.is_fixed = motion.shift.norm() < kFixedPx && std::abs(motion.scale - 1) < kFixedGrowth;
   return c;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kFollowedShare = 0.5;  // of a body's edges that are seen again
 constexpr int kMaxUnseen = 2;           // frames in a row
-constexpr int kMaxAge = 60;             // frames
 constexpr double kMinArea = 0.003;      // of the image: less does no harm
 constexpr double kMinNewArea = 0.015;   // of the image, when it is found
 constexpr double kMaxArea = 0.6;        // of the image: more is no body in a scene
@@ -21,10 +20,10 @@ constexpr size_t kMaxBodyPixels = 150;  // of a body, to follow it
 constexpr size_t kMinFollowed = 40;     // that have moved as it did
 constexpr double kTrimmed = 0.02;       // of a body's edges on each side: neighbours of the scene
 constexpr int kMinPosePoints = 60;      // that constrain a pose
-constexpr int kProbation = 4;           // frames
-constexpr int kRest = 3;                // frames without a search, after a body that was none
-// Of a body from where a scene that stands still could be: poses and similarities are good to a pixel.
-constexpr double kProofPx = 3;
+constexpr int kMaxProbation = 60;       // frames: what it hides of the scene is missed by the pose
+// Of a body from where a scene that stands still could be, three sigmas: poses are good to a pixel, and the
+// image of a part with a relief is a similarity to a twentieth of the parallax.
+constexpr double kProofPx = 3, kProofParallax = 0.15;
 // Next to a body, and growing with it: of the width, edges, and their share with its motion.
 constexpr int kStrips = 32;
 constexpr size_t kMinInStrip = 12;
@@ -169,7 +168,7 @@ bool MovingObjects::follow(const FramePyramid& frame, Body* body) {
   body->motion = then(body->motion, body->step);
   body->strips.clear();
   if (is_seen && body->counts) look_around(frame, body);
-  if (++body->age > kMaxAge || body->unseen > kMaxUnseen) return false;
+  if ((++body->age > kMaxProbation && !body->counts) || body->unseen > kMaxUnseen) return false;
   if (!is_worth_following(body->box, frame.finest().pinhole, kMinArea)) return false;
   if (is_seen)
     body->pixels = followed_edges(frame, *body);
@@ -186,7 +185,6 @@ void MovingObjects::follow(const FramePyramid& frame) {
 
 bool MovingObjects::look(const FramePyramid& frame, const Reference& reference, const SE3& T_cur_ref,
                          const AlignmentParams& params) {
-  if (rest_ > 0) return --rest_, false;
   const MovingGroup group = find_moving_group(frame, reference.cloud, T_cur_ref, params);
   if (group.points.empty()) return false;
   Body body;
@@ -204,10 +202,14 @@ bool MovingObjects::look(const FramePyramid& frame, const Reference& reference, 
   return true;
 }
 
-bool MovingObjects::is_proved(const Pinhole& pinhole, double median_idepth, const Body& body) {
-  const StaticComparison c =
-      compare_with_static(pinhole, body.T_cur_first, median_idepth, body.first_pixels, body.motion);
-  return c.distance_px > kProofPx || (c.is_fixed && c.parallax_px > kSceneMovesBodyPx);
+bool MovingObjects::is_proved(const StaticComparison& c) {
+  return c.distance_px > std::hypot(kProofPx, kProofParallax * c.parallax_px) ||
+         (c.is_fixed && c.parallax_px > kSceneMovesBodyPx);
+}
+
+// What is followed looks far away; this is nearer than most of the scene, and the map had its depth wrong.
+bool MovingObjects::is_scene(const StaticComparison& c) {
+  return c.own_parallax_px > std::max(kProofPx, c.parallax_px);
 }
 
 int MovingObjects::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth) {
@@ -216,13 +218,14 @@ int MovingObjects::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, doubl
     if (b.counts) grow(pinhole, T_cur_last, median_idepth, &b);
     if (b.counts || b.age == 0) return false;
     b.T_cur_first = T_cur_last * b.T_cur_first;
-    b.counts = b.unseen == 0 && is_proved(pinhole, median_idepth, b);
+    if (b.unseen > 0) return false;
+    const StaticComparison c =
+        compare_with_static(pinhole, b.T_cur_first, median_idepth, b.first_pixels, b.motion);
+    b.counts = is_proved(c);
     proved += b.counts;
-    return !b.counts && b.age >= kProbation;
+    return !b.counts && is_scene(c);
   };
-  const size_t before = bodies_.size();
   bodies_.erase(std::remove_if(bodies_.begin(), bodies_.end(), is_none), bodies_.end());
-  if (bodies_.size() < before) rest_ = kRest;
   return proved;
 }
 

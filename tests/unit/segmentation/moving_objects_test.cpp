@@ -22,9 +22,9 @@ class Bodies : public ::testing::Test {
   bool look(const BodyPlace& at) {
     return bodies.look(*views.pyramid(SE3(), at), *reference, SE3(), AlignmentParams());
   }
-  int follow(const BodyPlace& at) {
+  int follow(const BodyPlace& at, const SE3& T_cur_last = SE3()) {
     bodies.follow(*views.pyramid(SE3(), at));
-    return bodies.evaluate(camera(), SE3(), 0.5);
+    return bodies.evaluate(camera(), T_cur_last, 0.5);
   }
   std::shared_ptr<const Reference> scene() const { return bodies.without(reference, camera(), SE3()); }
   Pinhole camera() const { return views.scene.camera.pinhole(); }
@@ -70,10 +70,34 @@ TEST_F(Bodies, ABodyThatComesIntoViewIsCoveredAsItDoes) {
   EXPECT_LT(area.right, 19 + 70 + 12);
 }
 
-TEST_F(Bodies, ABodyThatStandsIsGivenUp) {
+TEST_F(Bodies, ABodyThatStandsIsGivenUpAfterSixtyFrames) {
   ASSERT_TRUE(look(right_by(6)));
-  for (int i = 0; i < 4; ++i) EXPECT_EQ(follow(right_by(6)), 0);
+  for (int i = 0; i < 61; ++i) EXPECT_EQ(follow(right_by(6)), 0);
   EXPECT_EQ(scene(), reference);
+}
+
+// A lorry that is followed looks far away until the gap changes.
+TEST_F(Bodies, ABodyThatKeepsItsPlaceForLongStaysOnProbation) {
+  ASSERT_TRUE(look(right_by(6)));
+  for (int i = 0; i < 30; ++i) EXPECT_EQ(follow(right_by(6)), 0);
+  EXPECT_LT(scene()->cloud.points.size(), reference->cloud.points.size());
+  EXPECT_EQ(follow(right_by(12)), 1);
+}
+
+// What moves in the image as something at rest that is nearer than most of the scene is that.
+TEST_F(Bodies, APartThatTheMapHasAtAWrongDepthIsGivenBack) {
+  constexpr double kUsualPx = 2, kOwnPx = 2.5;
+  const SE3 aside(Eigen::Quaterniond::Identity(), {kUsualPx / (camera().fx * 0.5), 0, 0});
+  ASSERT_TRUE(look(right_by(6)));
+  for (int i = 1; i <= 5; ++i) EXPECT_EQ(follow(right_by(6 + kOwnPx * i), aside), 0) << i;
+  EXPECT_EQ(scene(), reference);
+}
+
+TEST_F(Bodies, ABodyThatCountsDoesSoForAsLongAsItIsSeen) {
+  ASSERT_TRUE(look(right_by(6)));
+  ASSERT_EQ(follow(right_by(12)), 1);
+  for (int i = 0; i < 90; ++i) follow(right_by(12 + i % 2));
+  EXPECT_EQ(bodies.areas().boxes.size(), 1u);
 }
 
 TEST_F(Bodies, ABodyThatIsNoLongerSeenIsForgotten) {

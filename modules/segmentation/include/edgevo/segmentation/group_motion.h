@@ -69,6 +69,8 @@ struct StaticComparison {
   /// Median distance of the group's pixels from where anything that stands still could be, at any depth from
   /// a tenth of the median to infinity, pixels.
   double distance_px = 0;
+  /// Median distance in the image of that place from infinity, pixels: its parallax, if it stands still.
+  double own_parallax_px = 0;
   /// Median distance in the image between points at the median depth and at infinity in the group's place,
   /// pixels.
   double parallax_px = 0;

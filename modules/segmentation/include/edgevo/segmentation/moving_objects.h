@@ -20,13 +20,15 @@ namespace edgevo {
 /// The moving bodies in view. For the thread that tracks.
 ///
 /// A new one is on probation: it takes no part in poses, and nothing else. It counts once its motion since it
-/// was found is one that a scene that stands still cannot have, and is given up if it has none soon. Then
-/// it grows over what moves with it: it may have been found by a part, and in a turn its image is no
+/// was found is one that a scene that stands still cannot have, and is given back if it is that of something
+/// nearer than most of the scene, whose depth the map had wrong. A lorry that is followed looks like what is
+/// far away for as long as the gap stays or closes evenly, so neither may be known for 60 frames. A body that
+/// counts grows over what moves with it: it may have been found by a part, and in a turn its image is no
 /// similarity of what it was.
 class MovingObjects {
  public:
-  /// Follows the known bodies into the next image; drops those that are no longer seen or were found long
-  /// ago: a body that still moves by itself is then found anew. Cost: nothing without bodies, else 1 ms each.
+  /// Follows the known bodies into the next image; drops those that are no longer seen, or do not count after
+  /// 60 frames. Cost: nothing without bodies, else 1 ms each.
   void follow(const FramePyramid& frame);
   /// Looks for a body that contradicts the pose of the newest frame. Returns true if there is a new one: the
   /// frame must be aligned again, without it.
@@ -70,10 +72,10 @@ class MovingObjects {
   static Strip strip(const ImageBox& box, const Body& body);
   static void look_around(const FramePyramid& frame, Body* body);
   static void grow(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth, Body* body);
-  static bool is_proved(const Pinhole& pinhole, double median_idepth, const Body& body);
+  static bool is_proved(const StaticComparison& c);
+  static bool is_scene(const StaticComparison& c);
 
   std::vector<Body> bodies_;
-  int rest_ = 0;  // frames without a search
 };
 
 }  // namespace edgevo
