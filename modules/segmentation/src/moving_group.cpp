@@ -25,6 +25,11 @@ constexpr int kMinInCell = 6;        // edge pixels
 constexpr double kRestReaches = 2.0;
 constexpr double kOwnExcess = 0.35;  // agreement of a group with a motion of its own, beyond chance
 
+// From where the map puts a group, or anything that stands still could be.
+constexpr double kImpossiblePx = 2;
+constexpr double kUsualDepthError = 0.25;  // of points of the map, median inverse depths
+constexpr double kSceneMovesPx = 4;        // that the map moves a group which keeps its place
+
 enum class Fit : uint8_t { kUnseen, kAgrees, kContradicts };
 
 std::vector<Fit> point_fits(const PyramidLevel& level, const ReferenceCloud& cloud, const SE3& T_cur_ref,
@@ -149,6 +154,39 @@ std::vector<ImageSimilarity> first_starts(const std::vector<OrientedPixel>& grou
   return starts;
 }
 
+// Where the map puts the points of a group, from where its own motion does: the median distance, pixels.
+double distance_from_map(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                         const std::vector<int>& group, const ImageSimilarity& motion) {
+  std::vector<double> distances;
+  const Eigen::Matrix3d R = T_cur_ref.R();
+  for (int i : group) {
+    const CloudPoint& c = cloud.points[size_t(i)];
+    const Projection p = project(camera, R, T_cur_ref.translation(), c.ray, c.idepth);
+    if (p.valid) distances.push_back((p.px - motion(c.px.cast<double>())).norm());
+  }
+  return distances.empty() ? 0 : median(std::move(distances));
+}
+
+double median_idepth(const ReferenceCloud& cloud) {
+  std::vector<double> idepths;
+  for (const CloudPoint& c : cloud.points) idepths.push_back(c.idepth);
+  return median(std::move(idepths));
+}
+
+// In one step a vehicle ahead moves as something could that stands still further away: then it is where the
+// map puts its points that does not fit. So does a group at a depth that the map has wrong; what follows
+// parts them (MovingObjects), and a small error is usual. Where the camera has hardly moved, depths make no
+// difference.
+bool may_move_by_itself(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
+                        const std::vector<int>& group, const std::vector<OrientedPixel>& pixels,
+                        const ImageSimilarity& motion) {
+  const StaticComparison c = compare_with_static(camera, T_cur_ref, median_idepth(cloud), pixels, motion);
+  const double from_map = distance_from_map(camera, cloud, T_cur_ref, group, motion);
+  if (from_map > std::max(kImpossiblePx, kUsualDepthError * c.parallax_px) && c.parallax_px > kImpossiblePx)
+    return true;
+  return c.is_fixed ? from_map > kSceneMovesPx : c.distance_px > kImpossiblePx;
+}
+
 // All that is known about the parts of the view while a group is sought.
 struct View {
   const FramePyramid& current;
@@ -179,6 +217,7 @@ MovingGroup group_in(std::vector<bool> area, View* seen) {
   const GroupMotion own = align_group(view.current, pixels, first_starts(pixels));
   if (own.share < kMost || own.share - own.chance < kOwnExcess) return {};
   const PyramidLevel& finest = view.current.finest();
+  if (!may_move_by_itself(finest.pinhole, view.cloud, view.T_cur_ref, points, pixels, own.motion)) return {};
   grow(view.cells, view.edges, finest, own.motion, &area);
   return {view.points_in(area), pixels_of(view.edges, area), own};
 }

@@ -15,7 +15,7 @@
 
 namespace edgevo {
 namespace {
-constexpr double kHold_s = 1;  // time at the goal until the loop counts as converged
+constexpr double kHold_s = 1;  // the median of the errors over this time says whether the loop has converged
 // A camera that is not found in the kept map for so long is moved around by hand.
 constexpr double kUntilHand_s = 1;
 
@@ -221,11 +221,19 @@ class ClosedLoop {
     if (stopped && !was_stopped_) ++result_.stops;
     was_stopped_ = stopped;
     result_.stopped_s += stopped ? 1 / params_.rate_hz : 0;
-    at_goal_s_ = row->command.at_goal && !stopped ? at_goal_s_ + 1 / params_.rate_hz : 0;
-    result_.converged = at_goal_s_ >= kHold_s;
+    result_.converged = stays_at_goal(row->command.at_goal && !stopped);
     // T_c(t)_c(t+dt) = exp(v dt), with the velocity of the camera in its own axes.
     T_scene_cam_ =
         T_scene_cam_ * to_se3(vpExponentialMap::direct(row->command.velocity, 1 / params_.rate_hz));
+  }
+
+  // Whether the median error over kHold_s is within the goal: the pose of one image alone is noisy in bad
+  // light.
+  bool stays_at_goal(bool is_at_goal) {
+    was_at_goal_.push_back(is_at_goal);
+    const auto images = std::lround(kHold_s * params_.rate_hz);
+    if (long(was_at_goal_.size()) < images) return false;
+    return 2 * std::count(was_at_goal_.end() - images, was_at_goal_.end(), true) > images;
   }
 
   void begin_steering(int index, const ServoRow& row) {
@@ -277,7 +285,7 @@ class ClosedLoop {
   std::unique_ptr<ControlLaw> law_;
   SE3 T_scene_cam_;
   bool taught_ = false, started_ = false, was_stopped_ = false;
-  double at_goal_s_ = 0;
+  std::vector<bool> was_at_goal_;  // of each image while it is steered
   std::vector<Eigen::Vector3d> points_scene_;
   int taught_frame_ = -1;
   double kept_metres_per_unit_ = 1;

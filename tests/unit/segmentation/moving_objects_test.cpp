@@ -93,6 +93,19 @@ TEST_F(Bodies, APartThatTheMapHasAtAWrongDepthIsGivenBack) {
   EXPECT_EQ(scene(), reference);
 }
 
+// The more a camera moves, the less is the image of what is at rest, and has a relief, a similarity.
+TEST_F(Bodies, APartIsNoBodyByLessThanItsReliefMayMoveIt) {
+  const SE3 aside(Eigen::Quaterniond::Identity(), {8 / (camera().fx * 0.5), 0, 0});
+  ASSERT_TRUE(look(right_by(6)));
+  const auto follow_to = [&](int right, int down, const SE3& T_cur_last) {
+    return follow({right_by(6).left + right, kBody.top + down, kBody.width}, T_cur_last);
+  };
+  for (int i = 1; i <= 4; ++i) EXPECT_EQ(follow_to(4 * i, i, aside), 0) << i << " px off, parallax " << 8 * i;
+  int proved = 0;
+  for (int i = 5; i <= 8; ++i) proved += follow_to(16, i, SE3());
+  EXPECT_EQ(proved, 1) << "8 px off, parallax 32";
+}
+
 TEST_F(Bodies, ABodyThatCountsDoesSoForAsLongAsItIsSeen) {
   ASSERT_TRUE(look(right_by(6)));
   ASSERT_EQ(follow(right_by(12)), 1);

@@ -39,7 +39,7 @@ struct ServoRow {
 struct ServoResult {
   /// Reason why the loop never began; empty: it did.
   std::string failure;
-  /// Whether the loop was at its goal, by its own estimate, for a second without interruption.
+  /// Whether the loop stayed at its goal: the median error of a second, by its own estimate, is within it.
   bool converged = false;
   /// One row for each image, in time order.
   std::vector<ServoRow> rows;
