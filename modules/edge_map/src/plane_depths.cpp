@@ -46,7 +46,6 @@ class PlaneArea {
   PlaneArea(int width, int height) : columns_(width / kCellPx + 1), rows_(height / kCellPx + 1) {
     on_.resize(size_t(columns_) * size_t(rows_));
     off_.resize(on_.size());
-    log_odds_by_views_.resize(on_.size());
     around_.resize(on_.size());
   }
   void add(const Eigen::Vector2d& px, bool is_on) {
@@ -55,12 +54,6 @@ class PlaneArea {
     else
       ++off_[cell_of(px)];
   }
-  // Of an edge that may lie on the plane, by the views.
-  void add_log_odds(const Eigen::Vector2d& px, double log_odds) {
-    log_odds_by_views_[cell_of(px)] += log_odds;
-  }
-  // Whether the views show the edges around here on the plane less than chance would.
-  bool is_contradicted(const Eigen::Vector2d& px) const { return around(px).log_odds_by_views < 0; }
   // Logarithm of the odds that an edge here lies on the plane, by those around it.
   double log_odds(const Eigen::Vector2d& px) const { return around(px).log_odds; }
   // Whether it need not be looked at.
@@ -79,7 +72,7 @@ class PlaneArea {
   // The edges around a cell.
   struct Around {
     int on = -1, off = 0;  // on -1: not counted yet
-    double log_odds = 0, log_odds_by_views = 0;
+    double log_odds = 0;
   };
 
   size_t cell_of(const Eigen::Vector2d& px) const {
@@ -91,7 +84,6 @@ class PlaneArea {
     a.on = 0;
     each_cell(px, kAroundCells, [&](size_t cell) {
       a.on += int(on_[cell].size()), a.off += off_[cell];
-      a.log_odds_by_views += log_odds_by_views_[cell];
       return true;
     });
     a.log_odds = std::log((a.on + 1.0) / (kOftenOff * (a.off + 1.0)));
@@ -109,7 +101,6 @@ class PlaneArea {
   int columns_, rows_;
   std::vector<std::vector<Eigen::Vector2d>> on_;
   std::vector<int> off_;
-  std::vector<double> log_odds_by_views_;
   mutable std::vector<Around> around_;
 };
 
@@ -144,12 +135,9 @@ class PlaneLayer {
     if (!plane_.is_valid()) return plane_;
     area_ = PlaneArea(edges_.width, edges_.height);
     mark_known();
-    for (const Candidate& c : candidates_) {
-      if (!plane_.holds(c.sample)) continue;
-      const Hypothesis& h = c.hypothesis;
-      area_.add_log_odds(c.sample.px, log_odds_of_edge(h.views, h.in_view - h.views));
-      if (is_useful(c.sample) && log_likelihood_ratio(c) > 0) area_.add(c.sample.px, true);
-    }
+    for (const Candidate& c : candidates_)
+      if (is_useful(c.sample) && plane_.holds(c.sample) && log_likelihood_ratio(c) > 0)
+        area_.add(c.sample.px, true);
     auto candidate = candidates_.cbegin();
     for (FinalChain& chain : chains_) {
       for (FinalNode& s : chain) back(&s);
@@ -225,7 +213,6 @@ class PlaneLayer {
     const bool is_shown = is_useful(c->sample);
     const double sigma = is_shown ? depth.sigma : kLedge * depth.sigma;
     if (sigma > limits_.max_relative_sigma * depth.idepth || !plane_.holds(c->sample)) return kNever;
-    if (area_.is_contradicted(c->sample.px)) return kNever;
     if (!is_shown && !area_.is_on_both_sides(c->sample.px, pixel_of(s).normal().cast<double>()))
       return kNever;
     return kIndependent * log_likelihood_ratio(*c) + area_.log_odds(c->sample.px);

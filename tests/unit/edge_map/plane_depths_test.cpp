@@ -156,12 +156,11 @@ struct RoadView {
     chains.push_back(nodes);
   }
 
-  // Views show an edge at any depth: it runs along the motion. `has_own`: and at its own as well. Of those
-  // that contain it, four do.
-  int known_on_marking(bool is_shown = true, bool has_own = true, int in_view = 4) {
+  // Views show an edge at any depth: it runs along the motion. `has_own`: and at its own as well.
+  int known_on_marking(bool is_shown = true, bool has_own = true) {
     const auto weigh_node = [&](const FinalNode&, double idepth) {
       NodeEvidence e;
-      e.hypothesis.idepth = idepth, e.hypothesis.views = 4, e.hypothesis.in_view = in_view;
+      e.hypothesis.idepth = idepth, e.hypothesis.views = 4;
       e.common = idepth;
       return e;
     };
@@ -205,11 +204,6 @@ TEST(PlaneDepths, WhatViewsAndPlaneBothSayIsBacked) {
 }
 
 TEST(PlaneDepths, WhatViewsDoNotShowThereStaysUnknown) { EXPECT_EQ(RoadView().known_on_marking(false), 0); }
-
-TEST(PlaneDepths, WhereViewsShowEdgesLessThanChanceWouldNoneLiesOnThePlane) {
-  EXPECT_GT(RoadView().known_on_marking(true, true, 12), 45);
-  EXPECT_EQ(RoadView().known_on_marking(true, true, 20), 0);
-}
 
 TEST(PlaneDepths, AnEdgeStaysOffThePlaneWhereViewsShowItAtItsOwnDepth) {
   for (const bool has_own : {true, false}) {
