@@ -71,6 +71,8 @@ class EdgeFusion {
     // By the keyframes besides its host: one with another depth takes a sighting back. Without any, three in
     // four are right.
     bool is_unlikely() const { return std::log(3) + log_odds_of_edge(seen - 1 - contradicted, missed) < 0; }
+    // Whether the next image is likely to show it: where it does not, a neighbour would be taken for it.
+    bool is_mostly_seen() const { return seen > missed + contradicted; }
   };
   using Line = std::vector<Vertex>;
   struct OpenHost {
