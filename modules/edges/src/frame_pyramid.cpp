@@ -275,8 +275,13 @@ std::shared_ptr<const FramePyramid> PyramidBuilder::Impl::take(const GrayImage& 
 
 std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
                                                             const ImageMotion& motion) {
-  return impl_->build(old.source, RawGray(old.source), motion,
-                      {{old.border_mask, old.ego_mask}, old.probability}, nullptr);
+  return rebuild(old, motion, {old.border_mask, old.ego_mask});
+}
+
+std::shared_ptr<const FramePyramid> PyramidBuilder::rebuild(const FramePyramid& old,
+                                                            const ImageMotion& motion,
+                                                            const ImageMasks& masks) {
+  return impl_->build(old.source, RawGray(old.source), motion, {masks, old.probability}, nullptr);
 }
 
 void PyramidBuilder::Impl::fill_level(int l, const RawGray& raw, const ImageMotion& motion,

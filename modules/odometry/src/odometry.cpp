@@ -140,7 +140,7 @@ ArrivedFrame Odometry::Impl::find_edges(const Frame& frame, bool has_pose, const
   if (ego_mask_monitor.take(*arrived.pyramid)) {
     // Two views of a map would see different things.
     forget_views();
-    replay.views_dropped();
+    replay.mask_changed();
     report(frame, ego_mask_monitor.description());
   }
   newest_pose = {};

@@ -78,6 +78,7 @@ struct Odometry::Impl {
   bool may_be_located() const;
   // Where keyframes of the first map lie in the map that was kept, by the first frame located on each.
   void place_young_map(const ArrivedFrame& now);
+  void look_again();
   BootstrapStatus search_and_make(const ArrivedFrame& now);
   // Begins a new segment. Returns nothing, or why the two views make no map.
   Reasons make_map(const ArrivedFrame& now, const BootstrapResult& views);

@@ -77,7 +77,18 @@ void Odometry::Impl::refuse_pose(FrameRecord* record, const Reasons& why) const 
                 record);
 }
 
+// Without the part that has been found: of the few frames from now on a map would be worse, and those before
+// would get their poses with the part among their edges.
+void Odometry::Impl::look_again() {
+  const TraceScope traced("views without a part");
+  replay.look_again([&](const std::shared_ptr<const FramePyramid>& p) { return front_end.masked_anew(p); });
+}
+
 BootstrapStatus Odometry::Impl::search_and_make(const ArrivedFrame& now) {
+  if (replay.is_mask_another() && !now.may_show_ego_part) {
+    look_again();
+    if (!options.locate) bootstrapper.begin_with(replay.views());
+  }
   BootstrapStatus status = bootstrapper.add(now);
   // The views are kept: a map of later ones, if there is no such part, places all frames.
   if (status.result &&
@@ -100,6 +111,7 @@ Reasons Odometry::Impl::make_map(const ArrivedFrame& now, const BootstrapResult&
   state.after(problem.empty() ? Event::kMapMade : Event::kMapRefused, now.frame.index);
   if (problem.empty())
     begin_segment(now, bootstrapper.begin_segment(state.segment(), views, integrity.newest_before(), scale));
+  if (problem.empty() && replay.is_needed()) look_again();
   if (problem.empty())
     replay.place(views, *front_end.reference(), state.segment(), front_end.params(), &frames);
   if (problem.empty()) integrity.begin_map(), confidence.begin_map(), zoom_change.interrupt();

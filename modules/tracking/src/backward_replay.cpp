@@ -12,26 +12,57 @@
 namespace edgevo {
 namespace {
 
-// Views: while a part of the view may be fixed to the camera, or once it has stood; and else, since a part is
-// suspected after a few images that differ.
-constexpr size_t kMaxWhileNeeded = 60, kMaxUsually = 16;
+// Views; and with their edges while nothing may be fixed to the camera and it has not stood: the others keep
+// their image, a tenth of the memory.
+constexpr size_t kMaxViews = 60, kMaxWithEdges = 16;
+
+std::shared_ptr<const FramePyramid> without_levels(const FramePyramid& frame) {
+  auto image = std::make_shared<FramePyramid>();
+  image->source = frame.source;
+  image->border_mask = frame.border_mask, image->ego_mask = frame.ego_mask;
+  image->probability = frame.probability;
+  image->correction = frame.correction;
+  return image;
+}
 
 }  // namespace
 
 void BackwardReplay::add(const ArrivedFrame& now) {
   const bool stands = !now.still.empty() && now.still.is_certain;
   is_needed_ |= stands;
-  if (!stands || frames_.empty() || !frames_.back().stands) frames_.push_back({{}, stands, 0, now.pyramid});
+  if (!stands || frames_.empty() || !frames_.back().stands)
+    frames_.push_back({{}, stands, 0, now.pyramid, {}});
   Early& view = frames_.back();
   view.frames.push_back(now.frame.index);
+  view.time = now.frame.time;
   if (!stands || now.still.show_it()) view.shown = view.frames.size(), view.pyramid = now.pyramid;
-  const bool may_be_needed = is_needed_ || now.may_show_ego_part;
-  while (frames_.size() > (may_be_needed ? kMaxWhileNeeded : kMaxUsually)) frames_.pop_front();
+  if (frames_.size() > kMaxViews) frames_.pop_front();
+  if (is_needed_ || now.may_show_ego_part || frames_.size() <= kMaxWithEdges) return;
+  Early& old = frames_[frames_.size() - 1 - kMaxWithEdges];
+  if (!old.pyramid->levels.empty()) old.pyramid = without_levels(*old.pyramid);
+}
+
+void BackwardReplay::look_again(
+    const std::function<std::shared_ptr<const FramePyramid>(const std::shared_ptr<const FramePyramid>&)>&
+        mask) {
+  is_mask_another_ = false;
+  for (Early& view : frames_) view.pyramid = mask(view.pyramid);
+}
+
+std::vector<EarlyView> BackwardReplay::views() const {
+  std::vector<EarlyView> views;
+  for (size_t i = 0; i + 1 < frames_.size(); ++i) {
+    const Early& view = frames_[i];
+    if (view.stands) views.clear();
+    if (!view.stands) views.push_back({view.frames.back(), view.time, view.pyramid});
+  }
+  return views;
 }
 
 void BackwardReplay::place(const BootstrapResult& views, const Reference& reference, int segment,
                            const TrackingParams& params, FrameLog* frames) {
   std::deque<Early> early = std::exchange(frames_, {});
+  is_mask_another_ = false;
   if (!std::exchange(is_needed_, false) || views.views.size() < 2) return;
   const TraceScope traced("poses of earlier frames");
   const SupportScorer scorer(params.status);
@@ -63,7 +94,7 @@ void BackwardReplay::place(const BootstrapResult& views, const Reference& refere
 
 void BackwardReplay::clear() {
   frames_.clear();
-  is_needed_ = false;
+  is_needed_ = is_mask_another_ = false;
 }
 
 }  // namespace edgevo

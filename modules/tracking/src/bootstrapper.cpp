@@ -25,6 +25,21 @@ BootstrapStatus Bootstrapper::add(const ArrivedFrame& now) {
   return bootstrap_.add(now.frame.index, now.frame.time, now.pyramid, true, now.rows.expected);
 }
 
+void Bootstrapper::begin_with(const std::vector<EarlyView>& views) {
+  const auto add = [&](const EarlyView& v, bool attempt) {
+    return bootstrap_.add(v.frame_index, v.time, v.pyramid, attempt);
+  };
+  size_t needed = views.size();
+  bootstrap_.reset();
+  for (const EarlyView& v : views)
+    if (const BootstrapStatus status = add(v, true); status.result) {
+      needed = status.result->views.size();
+      break;
+    }
+  bootstrap_.reset();
+  for (size_t i = views.size() - needed; i < views.size(); ++i) (void)add(views[i], false);
+}
+
 std::optional<CameraTurn> Bootstrapper::turn_between(Timestamp begin, Timestamp end) const {
   if (turn_)
     if (const std::optional<CameraTurn> turn = turn_(begin, end)) return turn;

@@ -110,6 +110,9 @@ class PyramidBuilder {
                                             ViewObserver* observer = nullptr);
   /// Rebuilds the pyramid of the same image, with its masks, the present correction and another motion.
   std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion = {});
+  /// The same with other masks, those of a later image.
+  std::shared_ptr<const FramePyramid> rebuild(const FramePyramid& old, const ImageMotion& motion,
+                                              const ImageMasks& masks);
 
  private:
   PyramidBuilder(const Rectification& rectification, const EdgeParams& params,

@@ -11,6 +11,7 @@
 #include "edgevo/map/frame_log.h"
 #include "edgevo/mapping/bootstrap.h"
 #include "edgevo/mapping/map_link.h"
+#include "edgevo/tracking/backward_replay.h"
 #include "edgevo/tracking/bootstrap_placement.h"
 #include "edgevo/tracking/front_end.h"
 #include "edgevo/tracking/located_views.h"
@@ -59,6 +60,9 @@ class Bootstrapper {
   void reset() { bootstrap_.reset(); }
   /// Adds the next frame. Returns two views that may make a map, or why there are none yet.
   [[nodiscard]] BootstrapStatus add(const ArrivedFrame& now);
+  /// Begins again with the last of these frames, before the next one: with as many as the first of them need
+  /// for two views of a map. Over more, few corners are followed.
+  void begin_with(const std::vector<EarlyView>& views);
   /// Rectifies the rows of the views (MapLink::rectify_rows).
   void rectify_rows(BootstrapResult* views) { map_->rectify_rows(views); }
   /// Makes a map from the two views (MapLink::make_map) and forgets them. Returns nothing, or why they make

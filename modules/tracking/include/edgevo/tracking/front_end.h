@@ -76,6 +76,12 @@ class FrontEnd {
   /// pose. Leaves `record` null. Throws InputError for an image of another size.
   /// `exposure`: what its pixels show of its exposure.
   ArrivedFrame find_edges(const Frame& frame, bool has_pose, const ImageExposure& exposure = {});
+  /// An earlier frame, which has no pose, with the masks of the newest one, and all of its levels.
+  std::shared_ptr<const FramePyramid> masked_anew(const std::shared_ptr<const FramePyramid>& earlier) {
+    const ImageMasks newest{newest_pyramid_->border_mask, newest_pyramid_->ego_mask};
+    const bool is_same = earlier->ego_mask == newest.ego && !earlier->levels.empty();
+    return is_same ? earlier : builder_.rebuild(*earlier, {}, newest);
+  }
   /// Finds the pose of a frame against the reference. Writes times and evidence to its record; straightens
   /// its rows again if the gyro by which that was done is contradicted.
   Track find_pose(ArrivedFrame* now, bool was_lost);
