@@ -18,10 +18,10 @@ constexpr int kOld = 8;              // images from each of which most of the vi
 constexpr double kFoundAgain = 0.7;  // share of a fixed part's edges: outlines vanish at times
 // Log-odds of a cell; none is below -kSuspect or above 2 kFixed, so that a label can change.
 constexpr float kSuspect = 4, kFixed = 10;
-constexpr int kReach = 2;           // cells, between those of a part: letters, instruments
-constexpr double kPart = 200;       // log-odds of cells that lie together; less is harmless
-constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals of a part
-constexpr int kAroundPx = 3;        // around cells: what the gradient there is made of
+constexpr int kReach = 2;               // cells, between those of a part: letters, instruments
+constexpr double kPart = 200;           // log-odds of cells that lie together; less is harmless
+constexpr double kAcross = 4 * kFixed;  // log-odds of the cells whose edges lie across those of the part
+constexpr int kAroundPx = 3;            // around cells: what the gradient there is made of
 
 }  // namespace
 
@@ -71,14 +71,17 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
-// Edges of a single direction may slide along themselves, as those of a kerb do.
+// Edges of a single direction may slide along themselves, as those of a kerb do. What keeps its place across
+// them is no less certain where there is much along them.
 bool CellLabels::has_two_directions(const std::vector<int>& part) const {
-  double xx = 0, xy = 0, yy = 0;
-  for (const int i : part) {
-    const Directions& d = directions_[size_t(i)];
-    xx += d.xx, xy += d.xy, yy += d.yy;
-  }
-  return 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy) >= kMinAcross * (xx + yy);
+  Directions all;
+  for (const int i : part) all.add(directions_[size_t(i)]);
+  const double angle = 0.5 * std::atan2(2 * all.xy, all.xx - all.yy);
+  double across = 0;
+  for (const int i : part)
+    if (log_odds_[size_t(i)] >= kFixed && directions_[size_t(i)].are_across(angle))
+      across += log_odds_[size_t(i)];
+  return across >= kAcross;
 }
 
 // A part is made of cells that are fixed, and of suspects that lie there.
@@ -97,9 +100,9 @@ void CellLabels::label() {
       if (odds >= kFixed) certain += odds;
       is_known |= fixed_[size_t(i)] != 0;
     }
-    if (!is_known && !has_two_directions(part)) continue;
-    is_undecided_ |= certain < kPart && all >= kPart && !is_known;
-    for (const int i : part) fixed[size_t(i)] = certain >= kPart || fixed_[size_t(i)];
+    const bool may_slide = !is_known && !has_two_directions(part);
+    is_undecided_ |= !is_known && (certain < kPart ? all >= kPart && !may_slide : may_slide);
+    for (const int i : part) fixed[size_t(i)] = (certain >= kPart && !may_slide) || fixed_[size_t(i)];
   }
   fixed_ = std::move(fixed);
 }
