@@ -74,6 +74,10 @@ Hypothesis weigh(const EdgeSight& sight, const ViewSet& set, double idepth, Gues
 double log_likelihood_ratio(const EdgeSight& sight, const ViewSet& set, double idepth, double own,
                             double max_idepth, const EdgeMapParams& params);
 
+/// Logarithm of the odds that an edge lies where it is said to, by the number of images that show one there
+/// and of those that do not, against what chance would show.
+double log_odds_of_edge(double shown, double not_shown);
+
 /// Whether an edge of another image may be that of the host, whose normal (dark to bright) is expected to
 /// look like this there: the host's, turned by ViewGeometry::turn.
 inline bool is_like_direction(double normal_x, double normal_y, const EdgePixel& e) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "depth_evidence.h"
 #include "edgevo/core/depth_source.h"
 #include "edgevo/core/order_statistics.h"
 #include "edgevo/core/simd.h"
@@ -70,7 +69,7 @@ struct EdgeFusion::Sighting {
 struct EdgeFusion::Explained {
   std::vector<KnownDepth> known;  // by edge pixel
   std::vector<Vertex*> source;    // the predicting vertex; for pixels between two, the nearer one
-  std::vector<Vertex*> seen, missed;
+  std::vector<Vertex*> seen, missed, contradicted;
 
   std::vector<double> idepths() const {
     std::vector<double> all;
@@ -157,7 +156,7 @@ bool EdgeFusion::is_novel(const EdgeNode& node, Explained* explained) const {
   Vertex* by = explained->source[size_t(node.edge_pixel)];
   if (!by) return true;
   if (!is_same_depth(known, node)) {
-    explained->missed.push_back(by);
+    explained->contradicted.push_back(by);
     return true;
   }
   explained->seen.push_back(by);
@@ -236,12 +235,17 @@ void EdgeFusion::count(Explained* explained) const {
   };
   distinct(&explained->seen);
   distinct(&explained->missed);
+  distinct(&explained->contradicted);
   for (Vertex* v : explained->seen) {
     ++v->seen;
     merge_new_depths(v);
   }
+  const auto is_in = [](const std::vector<Vertex*>& all, Vertex* v) {
+    return std::binary_search(all.begin(), all.end(), v);
+  };
+  for (Vertex* v : explained->contradicted) v->contradicted += !is_in(explained->seen, v);
   for (Vertex* v : explained->missed)
-    v->missed += !std::binary_search(explained->seen.begin(), explained->seen.end(), v);
+    v->missed += !is_in(explained->seen, v) && !is_in(explained->contradicted, v);
 }
 
 // Averages the depths of the keyframes. They share some images, so the standard deviation does not decrease.
@@ -289,7 +293,7 @@ void EdgeFusion::finalise(const OpenHost& host) {
 EdgeStage EdgeFusion::stage_of(const Vertex& v) const {
   if (!params_.is_fused()) return EdgeStage::kKept;
   if (v.is_replaced) return EdgeStage::kReplaced;
-  if (v.missed > v.seen) return EdgeStage::kMissed;
+  if (v.is_unlikely()) return EdgeStage::kMissed;
   if (v.is_on_plane || v.is_backed_by_plane || v.seen >= kMinSeen) return EdgeStage::kKept;
   const bool is_sure = double(v.vertex.idepth_sigma) <= kSureShare * double(v.vertex.idepth);
   return is_sure && v.views >= kManyViews ? EdgeStage::kKept : EdgeStage::kUnconfirmed;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 // Fusion of the lines of a segment: each 3D edge is hosted once.
+#include <cmath>
 #include <deque>
 #include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "depth_evidence.h"
 #include "edge_planes.h"
 #include "edgevo/alignment/reference_cloud.h"
 #include "edgevo/edge_map/edge_depth.h"
@@ -56,7 +58,8 @@ class EdgeFusion {
     std::vector<EdgeVertex> after;  // edge pixels between it and the next vertex on its line, without depth
     int edge_pixel = -1;            // in its host
     Eigen::Vector2f normal;
-    int seen = 1, missed = 0;            // keyframes
+    // Keyframes that see it, that see no edge there, and that see one at another depth.
+    int seen = 1, missed = 0, contradicted = 0;
     int views = 0;                       // images that showed it when its host was added
     double weight = 0;                   // of the depths of all keyframes so far
     double new_weight = 0, new_sum = 0;  // of the current keyframe: weights, and weighted inverse depths
@@ -64,6 +67,12 @@ class EdgeFusion {
     bool is_replaced = false;  // by a line of a nearer keyframe
     bool is_outline = false;
     bool is_on_plane = false, is_backed_by_plane = false;
+
+    // By the keyframes besides its host: one with another depth takes a sighting back. Without any, three in
+    // four are right.
+    bool is_unlikely() const { return std::log(3) + log_odds_of_edge(seen - 1 - contradicted, missed) < 0; }
+    // Whether the next image is likely to show it: where it does not, a neighbour would be taken for it.
+    bool is_mostly_seen() const { return seen > missed + contradicted; }
   };
   using Line = std::vector<Vertex>;
   struct OpenHost {

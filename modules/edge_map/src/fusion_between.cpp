@@ -80,7 +80,7 @@ std::vector<CloudPoint> EdgeFusion::cloud_for(const EdgeHost& host) const {
 
 void EdgeFusion::add_to_cloud(const ViewGeometry& view, const Vertex& v,
                               std::vector<CloudPoint>* points) const {
-  if (v.is_replaced || v.missed >= v.seen) return;
+  if (v.is_replaced || !v.is_mostly_seen()) return;
   const SightLine ray(view, v.vertex.px.cast<double>());
   const double idepth = double(v.vertex.idepth), depth_ratio = ray.depth(idepth);
   if (!(depth_ratio > kMinDepthRatio)) return;

@@ -71,17 +71,20 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
-// Edges of a single direction may slide along themselves, as those of a kerb do. What keeps its place across
-// them is no less certain where there is much along them.
-bool CellLabels::has_two_directions(const std::vector<int>& part) const {
-  Directions all;
-  for (const int i : part) all.add(directions_[size_t(i)]);
-  const double angle = 0.5 * std::atan2(2 * all.xy, all.xx - all.yy);
-  double across = 0;
-  for (const int i : part)
-    if (log_odds_[size_t(i)] >= kFixed && directions_[size_t(i)].are_across(angle))
-      across += log_odds_[size_t(i)];
-  return across >= kAcross;
+// Of its cells from a log-odds on. Edges of a single direction may slide along themselves, as those of a kerb
+// do. What keeps its place across them is no less certain where there is much along them.
+CellLabels::Evidence CellLabels::evidence_of(const std::vector<int>& part, float least) const {
+  Directions directions;
+  for (const int i : part) directions.add(directions_[size_t(i)]);
+  const double angle = 0.5 * std::atan2(2 * directions.xy, directions.xx - directions.yy);
+  double all = 0, across = 0;
+  for (const int i : part) {
+    const float odds = log_odds_[size_t(i)];
+    if (odds < least) continue;
+    all += odds;
+    if (directions_[size_t(i)].are_across(angle)) across += odds;
+  }
+  return {all >= kPart, across >= kAcross};
 }
 
 // A part is made of cells that are fixed, and of suspects that lie there.
@@ -92,17 +95,12 @@ void CellLabels::label() {
   is_undecided_ = false;
   std::vector<uint8_t> fixed(fixed_.size());
   for (const std::vector<int>& part : cell_groups(kept_->columns(), kept_->rows(), kReach, is_suspect)) {
-    double certain = 0, all = 0;
-    bool is_known = false;
-    for (const int i : part) {
-      const float odds = log_odds_[size_t(i)];
-      all += odds;
-      if (odds >= kFixed) certain += odds;
-      is_known |= fixed_[size_t(i)] != 0;
-    }
-    const bool may_slide = !is_known && !has_two_directions(part);
-    is_undecided_ |= !is_known && (certain < kPart ? all >= kPart && !may_slide : may_slide);
-    for (const int i : part) fixed[size_t(i)] = (certain >= kPart && !may_slide) || fixed_[size_t(i)];
+    const bool is_known = std::any_of(part.begin(), part.end(), [&](int i) { return fixed_[size_t(i)]; });
+    const Evidence certain = evidence_of(part, kFixed), suspected = evidence_of(part, kSuspect);
+    const bool is_fixed = certain.is_part && (certain.is_across || is_known);
+    is_undecided_ |=
+        !is_known && !is_fixed && (certain.is_part || (suspected.is_part && suspected.is_across));
+    for (const int i : part) fixed[size_t(i)] = is_fixed || fixed_[size_t(i)];
   }
   fixed_ = std::move(fixed);
 }

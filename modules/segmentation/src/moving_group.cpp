@@ -25,8 +25,6 @@ constexpr int kMinInCell = 6;        // edge pixels
 constexpr double kRestReaches = 2.0;
 constexpr double kOwnExcess = 0.35;  // agreement of a group with a motion of its own, beyond chance
 
-// From where the map puts a group, or anything that stands still could be.
-constexpr double kImpossiblePx = 2;
 constexpr double kUsualDepthError = 0.25;  // of points of the map, median inverse depths
 constexpr double kSceneMovesPx = 4;        // that the map moves a group which keeps its place
 
@@ -179,12 +177,12 @@ double median_idepth(const ReferenceCloud& cloud) {
 // difference.
 bool may_move_by_itself(const Pinhole& camera, const ReferenceCloud& cloud, const SE3& T_cur_ref,
                         const std::vector<int>& group, const std::vector<OrientedPixel>& pixels,
-                        const ImageSimilarity& motion) {
+                        const ImageSimilarity& motion, double impossible_px) {
   const StaticComparison c = compare_with_static(camera, T_cur_ref, median_idepth(cloud), pixels, motion);
   const double from_map = distance_from_map(camera, cloud, T_cur_ref, group, motion);
-  if (from_map > std::max(kImpossiblePx, kUsualDepthError * c.parallax_px) && c.parallax_px > kImpossiblePx)
+  if (from_map > std::max(impossible_px, kUsualDepthError * c.parallax_px) && c.parallax_px > kImpossiblePx)
     return true;
-  return c.is_fixed ? from_map > kSceneMovesPx : c.distance_px > kImpossiblePx;
+  return c.is_fixed ? from_map > kSceneMovesPx : c.distance_px > impossible_px;
 }
 
 // All that is known about the parts of the view while a group is sought.
@@ -194,6 +192,7 @@ struct View {
   const SE3& T_cur_ref;
   std::vector<Fit> fits;
   Cells cells;
+  double impossible_px;  // see find_moving_group()
   // Of the reference image, by cell; empty until a part of the view is worth a look.
   std::vector<std::vector<OrientedPixel>> edges = {};
 
@@ -217,7 +216,9 @@ MovingGroup group_in(std::vector<bool> area, View* seen) {
   const GroupMotion own = align_group(view.current, pixels, first_starts(pixels));
   if (own.share < kMost || own.share - own.chance < kOwnExcess) return {};
   const PyramidLevel& finest = view.current.finest();
-  if (!may_move_by_itself(finest.pinhole, view.cloud, view.T_cur_ref, points, pixels, own.motion)) return {};
+  if (!may_move_by_itself(finest.pinhole, view.cloud, view.T_cur_ref, points, pixels, own.motion,
+                          view.impossible_px))
+    return {};
   grow(view.cells, view.edges, finest, own.motion, &area);
   return {view.points_in(area), pixels_of(view.edges, area), own};
 }
@@ -225,12 +226,13 @@ MovingGroup group_in(std::vector<bool> area, View* seen) {
 }  // namespace
 
 MovingGroup find_moving_group(const FramePyramid& current, const ReferenceCloud& cloud, const SE3& T_cur_ref,
-                              const AlignmentParams& params) {
+                              const AlignmentParams& params, double impossible_px) {
   View view{current,
             cloud,
             T_cur_ref,
             point_fits(current.finest(), cloud, T_cur_ref, params),
             Cells(current.finest().pinhole),
+            impossible_px,
             {}};
   view.cells.count(cloud, view.fits);
   MovingGroup largest;

@@ -7,6 +7,7 @@
 
 #include "edgevo/alignment/projection.h"
 #include "moving_group.h"
+#include "pulling_group.h"
 
 namespace edgevo {
 namespace {
@@ -186,7 +187,8 @@ void MovingObjects::follow(const FramePyramid& frame) {
 
 bool MovingObjects::look(const FramePyramid& frame, const Reference& reference, const SE3& T_cur_ref,
                          const AlignmentParams& params) {
-  const MovingGroup group = find_moving_group(frame, reference.cloud, T_cur_ref, params);
+  MovingGroup group = find_moving_group(frame, reference.cloud, T_cur_ref, params);
+  if (group.points.empty()) group = find_pulling_group(frame, reference, T_cur_ref, params);
   if (group.points.empty()) return false;
   Body body;
   body.box = box_of(group);

@@ -112,6 +112,12 @@ TEST(EdgeDepth, ADepthIsContestedByTheOneAnEdgeHas) {
   EXPECT_LT(likely_share(kAround, 1.4, 1).first, 0.1);
 }
 
+TEST(EdgeDepth, OneViewThatShowsAnEdgeOutweighsThreeThatDoNot) {
+  EXPECT_GT(log_odds_of_edge(1, 3), 0);
+  EXPECT_LT(log_odds_of_edge(1, 4), 0);
+  EXPECT_EQ(log_odds_of_edge(0, 0), 0);
+}
+
 TEST(EdgeDepth, NothingIsNearerThanAllowed) {
   for (const EdgePiece& piece : depths_of(12, kAround, EdgeMapParams(), 0.2))
     for (const EdgeNode& n : piece) EXPECT_LE(n.idepth, 0.2 * 1.05);

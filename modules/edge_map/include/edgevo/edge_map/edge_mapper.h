@@ -7,7 +7,7 @@
 // explained; a vertex that should be visible but is not counts as missed. The remaining pixels become new
 // lines, hosted by this keyframe. If this keyframe measures a depth much better than the old host did,
 // because it is nearer, its line replaces the old one. A line is final after twelve more keyframes: vertices
-// missed more often than seen are removed.
+// that keyframes see less than chance would are removed.
 //
 // Keeps no keyframes: it reads those of the map, and its final lines are events (LinesFinished). Memory: the
 // lines that are not final. Call it from one thread. With `own_thread` the work is done in a thread of its

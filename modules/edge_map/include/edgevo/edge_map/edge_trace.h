@@ -34,7 +34,7 @@ enum class EdgeStage {
   kExplained,
   /// A later keyframe measures the depth much better.
   kReplaced,
-  /// More keyframes contradict the vertex than see it.
+  /// Keyframes see the vertex less than chance would.
   kMissed,
   /// Only the host supports the vertex, from few images.
   kUnconfirmed,
