@@ -18,10 +18,10 @@ constexpr int kOld = 8;              // images from each of which most of the vi
 constexpr double kFoundAgain = 0.7;  // share of a fixed part's edges: outlines vanish at times
 // Log-odds of a cell; none is below -kSuspect or above 2 kFixed, so that a label can change.
 constexpr float kSuspect = 4, kFixed = 10;
-constexpr int kReach = 2;           // cells, between those of a part: letters, instruments
-constexpr double kPart = 200;       // log-odds of cells that lie together; less is harmless
-constexpr double kMinAcross = 0.1;  // smaller eigenvalue of the mean of n n^T, n: normals of a part
-constexpr int kAroundPx = 3;        // around cells: what the gradient there is made of
+constexpr int kReach = 2;               // cells, between those of a part: letters, instruments
+constexpr double kPart = 200;           // log-odds of cells that lie together; less is harmless
+constexpr double kAcross = 4 * kFixed;  // log-odds of the cells whose edges lie across those of the part
+constexpr int kAroundPx = 3;            // around cells: what the gradient there is made of
 
 }  // namespace
 
@@ -71,14 +71,20 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
-// Edges of a single direction may slide along themselves, as those of a kerb do.
-bool CellLabels::has_two_directions(const std::vector<int>& part) const {
-  double xx = 0, xy = 0, yy = 0;
+// Of its cells from a log-odds on. Edges of a single direction may slide along themselves, as those of a kerb
+// do. What keeps its place across them is no less certain where there is much along them.
+CellLabels::Evidence CellLabels::evidence_of(const std::vector<int>& part, float least) const {
+  Directions directions;
+  for (const int i : part) directions.add(directions_[size_t(i)]);
+  const double angle = 0.5 * std::atan2(2 * directions.xy, directions.xx - directions.yy);
+  double all = 0, across = 0;
   for (const int i : part) {
-    const Directions& d = directions_[size_t(i)];
-    xx += d.xx, xy += d.xy, yy += d.yy;
+    const float odds = log_odds_[size_t(i)];
+    if (odds < least) continue;
+    all += odds;
+    if (directions_[size_t(i)].are_across(angle)) across += odds;
   }
-  return 0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy) >= kMinAcross * (xx + yy);
+  return {all >= kPart, across >= kAcross};
 }
 
 // A part is made of cells that are fixed, and of suspects that lie there.
@@ -89,17 +95,12 @@ void CellLabels::label() {
   is_undecided_ = false;
   std::vector<uint8_t> fixed(fixed_.size());
   for (const std::vector<int>& part : cell_groups(kept_->columns(), kept_->rows(), kReach, is_suspect)) {
-    double certain = 0, all = 0;
-    bool is_known = false;
-    for (const int i : part) {
-      const float odds = log_odds_[size_t(i)];
-      all += odds;
-      if (odds >= kFixed) certain += odds;
-      is_known |= fixed_[size_t(i)] != 0;
-    }
-    if (!is_known && !has_two_directions(part)) continue;
-    is_undecided_ |= certain < kPart && all >= kPart && !is_known;
-    for (const int i : part) fixed[size_t(i)] = certain >= kPart || fixed_[size_t(i)];
+    const bool is_known = std::any_of(part.begin(), part.end(), [&](int i) { return fixed_[size_t(i)]; });
+    const Evidence certain = evidence_of(part, kFixed), suspected = evidence_of(part, kSuspect);
+    const bool is_fixed = certain.is_part && (certain.is_across || is_known);
+    is_undecided_ |=
+        !is_known && !is_fixed && (certain.is_part || (suspected.is_part && suspected.is_across));
+    for (const int i : part) fixed[size_t(i)] = is_fixed || fixed_[size_t(i)];
   }
   fixed_ = std::move(fixed);
 }

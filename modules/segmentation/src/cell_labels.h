@@ -11,6 +11,7 @@
 // (KeptEdges::chances). While most of the view does not move, scene and fixed parts have the same motion, and
 // nothing is evidence; then the camera stands. Cells that lie together add up: a part is fixed if all of it
 // is.
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -47,11 +48,20 @@ class CellLabels {
   struct Directions {
     float xx = 0, xy = 0, yy = 0;
     void add(float x, float y) { xx += x * x, xy += x * y, yy += y * y; }
+    void add(const Directions& d) { xx += d.xx, xy += d.xy, yy += d.yy; }
+    // Whether most are more than 45 degrees from this angle.
+    bool are_across(double angle) const {
+      return (xx - yy) * std::cos(2 * angle) + 2 * xy * std::sin(2 * angle) < 0;
+    }
+  };
+  // Of cells that lie together: whether they are enough for a part, and enough of them lie across the others.
+  struct Evidence {
+    bool is_part, is_across;
   };
   void prepare(int width, int height);
   std::vector<uint8_t> voters() const;
   void weigh(const std::vector<double>& chances);
-  bool has_two_directions(const std::vector<int>& part) const;
+  Evidence evidence_of(const std::vector<int>& part, float least) const;
   void label();
   void add_between(size_t first, size_t step, size_t number, std::vector<uint8_t>* fixed) const;
   void add_enclosed(std::vector<uint8_t>* fixed) const;
