@@ -98,8 +98,7 @@ void CellLabels::label() {
     const bool is_known = std::any_of(part.begin(), part.end(), [&](int i) { return fixed_[size_t(i)]; });
     const Evidence certain = evidence_of(part, kFixed), suspected = evidence_of(part, kSuspect);
     const bool is_fixed = certain.is_part && (certain.is_across || is_known);
-    is_undecided_ |=
-        !is_known && !is_fixed && (certain.is_part || (suspected.is_part && suspected.is_across));
+    is_undecided_ |= !is_known && !is_fixed && suspected.is_part && suspected.is_across;
     for (const int i : part) fixed[size_t(i)] = is_fixed || fixed_[size_t(i)];
   }
   fixed_ = std::move(fixed);
