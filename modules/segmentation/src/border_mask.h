@@ -24,13 +24,10 @@ class BorderMask {
   std::shared_ptr<const Plane<uint8_t>> mask() const;
 
  private:
-  void find_areas();
-
-  Plane<uint8_t> dark_;  // 255 where every image so far was dark
-  int dark_pixels_ = 0;  // at the last search of areas
+  Plane<uint8_t> black_;  // 255 in areas that every image so far has shown black
   int images_ = 0;
-  bool is_gone_ = false;
-  std::shared_ptr<const Plane<uint8_t>> areas_;
+  int black_pixels_ = 0;  // at the last search of areas
+  std::shared_ptr<const Plane<uint8_t>> area_;
 };
 
 }  // namespace edgevo

@@ -12,10 +12,9 @@
 namespace edgevo {
 namespace {
 
-constexpr int kCellPx = 8;           // of the level: a letter, a dial's rim
-constexpr size_t kStep = 2;          // pixels along an edge, which say the same
-constexpr int kOld = 8;              // images from each of which most of the view moved to the next
-constexpr double kFoundAgain = 0.7;  // share of a fixed part's edges: outlines vanish at times
+constexpr int kCellPx = 8;   // of the level: a letter, a dial's rim
+constexpr size_t kStep = 2;  // pixels along an edge, which say the same
+constexpr int kOld = 8;      // images from each of which most of the view moved to the next
 // Log-odds of a cell; none is below -kSuspect or above 2 kFixed, so that a label can change.
 constexpr float kSuspect = 4, kFixed = 10;
 constexpr int kReach = 2;               // cells, between those of a part: letters, instruments
@@ -97,7 +96,7 @@ void CellLabels::label() {
   for (const std::vector<int>& part : cell_groups(kept_->columns(), kept_->rows(), kReach, is_suspect)) {
     const bool is_known = std::any_of(part.begin(), part.end(), [&](int i) { return fixed_[size_t(i)]; });
     const Evidence certain = evidence_of(part, kFixed), suspected = evidence_of(part, kSuspect);
-    const bool is_fixed = certain.is_part && (certain.is_across || is_known);
+    const bool is_fixed = certain.is_part && certain.is_across;
     is_undecided_ |= !is_known && !is_fixed && suspected.is_part && suspected.is_across;
     for (const int i : part) fixed[size_t(i)] = is_fixed || fixed_[size_t(i)];
   }

@@ -12,6 +12,9 @@
 
 namespace edgevo {
 
+/// Share of the edges of what keeps its place that are found there again: outlines vanish at times.
+constexpr double kFoundAgain = 0.7;
+
 /// Rounds a coordinate, which is not negative: as std::lround(), without its call. The sum is exact in
 /// double.
 inline int nearest_pixel(float v) { return int(double(v) + 0.5); }

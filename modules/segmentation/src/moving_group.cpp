@@ -15,12 +15,11 @@ constexpr int kColumns = 32;  // of cells over the width of the image
 // Of the points around a cell that contradict, of those outside the group that agree, of the group's edges
 // that agree with a motion of its own.
 constexpr double kMost = 0.6;
-constexpr int kMinAround = 5;        // points around a cell
-constexpr int kMinPoints = 16;       // of a group
-constexpr int kMinOutside = 40;      // points that agree with the pose, outside the group
-constexpr int kMinEdges = 60;        // edge pixels of a group
-constexpr double kGrowShare = 0.65;  // of the edge pixels of a cell next to a group
-constexpr int kMinInCell = 6;        // edge pixels
+constexpr int kMinAround = 5;    // points around a cell
+constexpr int kMinPoints = 16;   // of a group
+constexpr int kMinOutside = 40;  // points that agree with the pose, outside the group
+constexpr int kMinEdges = 60;    // edge pixels of a group
+constexpr int kMinInCell = 6;    // edge pixels
 // The rest of the view reaches over this many times the group's area.
 constexpr double kRestReaches = 2.0;
 constexpr double kOwnExcess = 0.35;  // agreement of a group with a motion of its own, beyond chance
@@ -136,7 +135,7 @@ void grow(const Cells& cells, const std::vector<std::vector<OrientedPixel>>& by_
       if (is_visited[size_t(c)]) return;
       is_visited[size_t(c)] = true;
       const std::vector<OrientedPixel>& pixels = by_cell[size_t(c)];
-      if (int(pixels.size()) < kMinInCell || agreeing_share(finest, pixels, motion) < kGrowShare) return;
+      if (int(pixels.size()) < kMinInCell || agreeing_share(finest, pixels, motion) < kSharesMotion) return;
       (*area)[size_t(c)] = true;
       open.push_back(c);
     });

@@ -26,12 +26,14 @@ constexpr int kMaxProbation = 60;       // frames: what it hides of the scene is
 // image of a part with a relief is a similarity to a twentieth of the parallax (set on fr1_xyz, where parts
 // of a desk at rest are 3 to 5 px off at 50 to 180 px of parallax).
 constexpr double kProofPx = 3, kProofParallax = 0.15;
-// Next to a body, and growing with it: of the width, edges, and their share with its motion.
+// Next to a body: strips of the width of the image, their edges, and the share of those on it that have its
+// motion, below which they are none of its own.
 constexpr int kStrips = 32;
 constexpr size_t kMinInStrip = 12;
-constexpr double kStripShare = 0.65, kForeignShare = 0.3;
-constexpr double kImpossibleStripPx = 2;  // of a strip in one step from where the scene could be
-constexpr double kSceneMovesBodyPx = 6;   // while a body keeps its place in the image
+constexpr double kForeignShare = 0.3;
+constexpr double kSceneMovesBodyPx = 6;  // while a body keeps its place in the image
+
+Eigen::Vector2d centre_of(const ImageBox& b) { return {0.5 * (b.left + b.right), 0.5 * (b.top + b.bottom)}; }
 
 double area(const ImageBox& b) { return (b.right - b.left) * (b.bottom - b.top); }
 
@@ -132,7 +134,7 @@ void MovingObjects::look_around(const FramePyramid& frame, Body* body) {
   }
   for (const ImageBox& outside : sides(body->area, w)) {
     Strip next = strip(outside, *body);
-    if (share(next) >= kStripShare) body->strips.push_back(std::move(next));
+    if (share(next) >= kSharesMotion) body->strips.push_back(std::move(next));
   }
 }
 
@@ -142,7 +144,7 @@ void MovingObjects::grow(const Pinhole& pinhole, const SE3& T_cur_last, double m
     const StaticComparison c =
         compare_with_static(pinhole, T_cur_last, median_idepth, strip.before, body->step);
     const ImageBox grown = joined(body->area, strip.box);
-    if (c.distance_px >= kImpossibleStripPx && is_worth_following(grown, pinhole, 0)) body->area = grown;
+    if (c.distance_px >= kImpossiblePx && is_worth_following(grown, pinhole, 0)) body->area = grown;
   }
   body->strips.clear();
 }
@@ -157,15 +159,14 @@ std::vector<OrientedPixel> MovingObjects::followed_edges(const FramePyramid& fra
 }
 
 bool MovingObjects::follow(const FramePyramid& frame, Body* body) {
-  const ImageBox& b = body->box;
-  const Eigen::Vector2d centre(0.5 * (b.left + b.right), 0.5 * (b.top + b.bottom));
+  const Eigen::Vector2d centre = centre_of(body->box);
   const ImageSimilarity expected{centre, body->step.shift, body->step.scale};
   const GroupMotion found =
       align_group(frame, body->pixels, {expected, {centre, Eigen::Vector2d::Zero(), 1.0}});
   const bool is_seen = found.share >= kFollowedShare;
   body->unseen = is_seen ? 0 : body->unseen + 1;
   body->step = is_seen ? found.motion : expected;
-  body->box = moved(b, body->step);
+  body->box = moved(body->box, body->step);
   body->area = joined(body->box, moved(body->area, body->step));
   body->motion = then(body->motion, body->step);
   body->strips.clear();
@@ -196,7 +197,7 @@ bool MovingObjects::look(const FramePyramid& frame, const Reference& reference, 
   body.area = body.box;
   body.pixels = thinned(all_edges_in(frame.finest().edges, body.box), kMaxBodyPixels);
   body.first_pixels = body.pixels;
-  body.motion.centre = {0.5 * (body.box.left + body.box.right), 0.5 * (body.box.top + body.box.bottom)};
+  body.motion.centre = centre_of(body.box);
   for (int i : group.points) {
     const CloudPoint& p = reference.cloud.points[size_t(i)];
     body.points.insert({p.host_keyframe, p.host_pixel});
@@ -232,10 +233,10 @@ int MovingObjects::evaluate(const Pinhole& pinhole, const SE3& T_cur_last, doubl
   return proved;
 }
 
-MovingAreas MovingObjects::areas() const {
+MovingAreas MovingObjects::areas_of(bool also_on_probation) const {
   MovingAreas areas;
   for (const Body& b : bodies_) {
-    if (!b.counts) continue;
+    if (!b.counts && !also_on_probation) continue;
     areas.boxes.push_back(b.area);
     areas.points.insert(b.points.begin(), b.points.end());
   }
@@ -245,11 +246,7 @@ MovingAreas MovingObjects::areas() const {
 std::shared_ptr<const Reference> MovingObjects::without(std::shared_ptr<const Reference> reference,
                                                         const Pinhole& pinhole, const SE3& T_cur_ref) const {
   if (bodies_.empty()) return reference;
-  MovingAreas areas;  // of all, also those on probation
-  for (const Body& b : bodies_) {
-    areas.boxes.push_back(b.area);
-    areas.points.insert(b.points.begin(), b.points.end());
-  }
+  const MovingAreas areas = areas_of(true);
   const ReferenceCloud& all = reference->cloud;
   const Eigen::Matrix3d R = T_cur_ref.R();
   std::vector<size_t> kept;

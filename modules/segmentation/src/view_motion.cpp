@@ -7,10 +7,7 @@ namespace edgevo {
 namespace {
 
 constexpr int kMinInBlock = 4;  // edges that show whether a block moves
-// Share that keeps its place: of a block's edges; of all blocks, before anything has crossed; and of those
-// that stood, from image to image.
-constexpr double kMinStill = 0.7;
-constexpr int kMinImages = 2;  // for one, every slow camera stands
+constexpr int kMinImages = 2;   // for one, every slow camera stands
 // Images in which most of the view moves and nothing supports that the camera stands: a bus of 2 to 6 s.
 constexpr double kMaxCrossing = 60;
 
@@ -19,10 +16,10 @@ constexpr double kMaxCrossing = 60;
 void ViewMotion::decide(int still, int stood, int still_standing) {
   const auto number = [&](Block how) { return int(std::count(blocks_.begin(), blocks_.end(), how)); };
   const int hidden = number(Block::kHidden), left = stood - still_standing;
-  const bool at_once = still_standing < kMinStill * stood && 2 * left >= hidden;
+  const bool at_once = still_standing < kFoundAgain * stood && 2 * left >= hidden;
   const bool slides_off = number(Block::kSlid) > hidden + still;
   stands_ = stands_ ? !at_once && !slides_off : voting_ > 0 && 2 * still >= voting_;
-  was_all_still_ = stands_ && (was_all_still_ || still >= kMinStill * voting_);
+  was_all_still_ = stands_ && (was_all_still_ || still >= kFoundAgain * voting_);
   // What still stands after a camera has driven off behind a bus would stand by chance, block by block.
   const double unsupported = 1.0 / (was_all_still_ ? 1 + still_standing : 1);
   crossed_images_ = stands_ && 2 * moving_ > voting_ ? crossed_images_ + unsupported : 0;
@@ -47,12 +44,12 @@ void ViewMotion::vote(const KeptEdges& edges, const std::vector<uint8_t>& votes)
     ++voting_;
     moves_[i] = 2 * seen[i] < all[i];
     moving_ += moves_[i];
-    const bool is_still = seen[i] >= kMinStill * all[i];
+    const bool is_still = seen[i] >= kFoundAgain * all[i];
     still += is_still, stood += was_still, still_standing += was_still && is_still;
     if (is_still)
       blocks_[i] = Block::kStill;
     else if (was_still)
-      blocks_[i] = slid[i] >= kMinStill * all[i] ? Block::kSlid : Block::kHidden;
+      blocks_[i] = slid[i] >= kFoundAgain * all[i] ? Block::kSlid : Block::kHidden;
   }
   decide(still, stood, still_standing);
   standing_ = stands_ ? standing_ + 1 : 0;

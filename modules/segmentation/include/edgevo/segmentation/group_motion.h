@@ -37,6 +37,9 @@ struct OrientedPixel {
   Eigen::Vector2f normal;
 };
 
+/// Share of the edges next to a group from which on they have its motion.
+constexpr double kSharesMotion = 0.65;
+
 /// Every so many-th of the pixels, `most` of them; all, if there are fewer.
 std::vector<OrientedPixel> thinned(const std::vector<OrientedPixel>& pixels, size_t most);
 

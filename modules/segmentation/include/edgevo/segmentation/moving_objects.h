@@ -42,7 +42,7 @@ class MovingObjects {
   std::shared_ptr<const Reference> without(std::shared_ptr<const Reference> reference, const Pinhole& pinhole,
                                            const SE3& T_cur_ref) const;
   /// The bodies in the newest frame that count.
-  MovingAreas areas() const;
+  MovingAreas areas() const { return areas_of(false); }
   /// Forgets all bodies.
   void clear() { bodies_.clear(); }
 
@@ -72,6 +72,7 @@ class MovingObjects {
   static Strip strip(const ImageBox& box, const Body& body);
   static void look_around(const FramePyramid& frame, Body* body);
   static void grow(const Pinhole& pinhole, const SE3& T_cur_last, double median_idepth, Body* body);
+  MovingAreas areas_of(bool also_on_probation) const;
   static bool is_proved(const StaticComparison& c);
   static bool is_scene(const StaticComparison& c);
 
