@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "repeated_lines.h"
+#include "edgevo/map/repeated_lines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include "edgevo/core/record_units.h"
 #include "edgevo/map/corrected_pixel.h"
 #include "edgevo/map/located_pose.h"
-#include "repeated_lines.h"
 
 namespace edgevo {
 namespace {
@@ -388,7 +387,6 @@ Run RunBuilder::finish() {
     anchor_to_own_keyframe(id, keyframe);
     run.keyframes.push_back(std::move(keyframe));
   }
-  merge_repeated_lines(run.pinhole, &run.keyframes);
   for (Row& row : rows_) {
     finish_row(placed, position_of_keyframe, run.keyframes, &row);
     run.frames.push_back(std::move(row.frame));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One edge that two keyframes have, far apart in time.
-#include "repeated_lines.h"
+#include "edgevo/map/repeated_lines.h"
 
 #include <gtest/gtest.h>
 
