@@ -70,20 +70,24 @@ void CellLabels::weigh(const std::vector<double>& chances) {
     if (number[i] > 0) log_odds_[i] = std::clamp(log_odds_[i] + sum[i] / number[i], -kSuspect, 2 * kFixed);
 }
 
-// Of its cells from a log-odds on. Edges of a single direction may slide along themselves, as those of a kerb
-// do. What keeps its place across them is no less certain where there is much along them.
-CellLabels::Evidence CellLabels::evidence_of(const std::vector<int>& part, float least) const {
+// Of those of its cells that have `least` of them.
+double CellLabels::log_odds_of(const std::vector<int>& part, float least) const {
+  double sum = 0;
+  for (const int i : part)
+    if (log_odds_[size_t(i)] >= least) sum += log_odds_[size_t(i)];
+  return sum;
+}
+
+// Edges of a single direction may slide along themselves, as those of a kerb do. What keeps its place across
+// them is no less certain where there is much along them.
+bool CellLabels::lies_across(const std::vector<int>& part) const {
   Directions directions;
   for (const int i : part) directions.add(directions_[size_t(i)]);
   const double angle = 0.5 * std::atan2(2 * directions.xy, directions.xx - directions.yy);
-  double all = 0, across = 0;
-  for (const int i : part) {
-    const float odds = log_odds_[size_t(i)];
-    if (odds < least) continue;
-    all += odds;
-    if (directions_[size_t(i)].are_across(angle)) across += odds;
-  }
-  return {all >= kPart, across >= kAcross};
+  std::vector<int> across;
+  for (const int i : part)
+    if (directions_[size_t(i)].are_across(angle)) across.push_back(i);
+  return log_odds_of(across, kSuspect) >= kAcross;
 }
 
 // A part is made of cells that are fixed, and of suspects that lie there.
@@ -95,9 +99,9 @@ void CellLabels::label() {
   std::vector<uint8_t> fixed(fixed_.size());
   for (const std::vector<int>& part : cell_groups(kept_->columns(), kept_->rows(), kReach, is_suspect)) {
     const bool is_known = std::any_of(part.begin(), part.end(), [&](int i) { return fixed_[size_t(i)]; });
-    const Evidence certain = evidence_of(part, kFixed), suspected = evidence_of(part, kSuspect);
-    const bool is_fixed = certain.is_part && certain.is_across;
-    is_undecided_ |= !is_known && !is_fixed && suspected.is_part && suspected.is_across;
+    const bool may_be_fixed = log_odds_of(part, kSuspect) >= kPart && lies_across(part);
+    const bool is_fixed = may_be_fixed && log_odds_of(part, kFixed) >= kPart;
+    is_undecided_ |= !is_known && !is_fixed && may_be_fixed;
     for (const int i : part) fixed[size_t(i)] = is_fixed || fixed_[size_t(i)];
   }
   fixed_ = std::move(fixed);

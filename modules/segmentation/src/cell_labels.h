@@ -54,14 +54,11 @@ class CellLabels {
       return (xx - yy) * std::cos(2 * angle) + 2 * xy * std::sin(2 * angle) < 0;
     }
   };
-  // Of cells that lie together: whether they are enough for a part, and enough of them lie across the others.
-  struct Evidence {
-    bool is_part, is_across;
-  };
   void prepare(int width, int height);
   std::vector<uint8_t> voters() const;
   void weigh(const std::vector<double>& chances);
-  Evidence evidence_of(const std::vector<int>& part, float least) const;
+  double log_odds_of(const std::vector<int>& part, float least) const;
+  bool lies_across(const std::vector<int>& part) const;
   void label();
   void add_between(size_t first, size_t step, size_t number, std::vector<uint8_t>* fixed) const;
   void add_enclosed(std::vector<uint8_t>* fixed) const;

@@ -283,6 +283,24 @@ TEST(CellLabels, StripesWithAMarkAcrossThemAreAPart) {
   EXPECT_TRUE(pyramid->ego_mask);
 }
 
+// Marks that show in every other image remain suspects: enough to say that the stripes do not slide.
+TEST(CellLabels, SuspectsAcrossACertainPartAreEnough) {
+  const auto part = [](bool has_marks) {
+    return [has_marks](double x, double y) -> std::optional<double> {
+      if (!on_part(x, y)) return std::nullopt;
+      if (has_marks && std::fmod(y, 40) < 8 && x > 200 && x < 290) return 240;
+      return std::fmod(x, 10) < 5 ? 60 : 160;
+    };
+  };
+  MaskedBuilder builder(part_camera(), EdgeParams());
+  bool is_masked = false;
+  for (int i = 0; i < 90; ++i) {
+    is_masked |= show(&builder, 1, 3, 1.3, part(i > 40 && i % 2 > 0), i)->ego_mask != nullptr;
+    ASSERT_FALSE(is_masked && i <= 40);
+  }
+  EXPECT_TRUE(is_masked);
+}
+
 TEST(CellLabels, AMaskIsTakenBackWhenWhatItCoversMoves) {
   MaskedBuilder builder(part_camera(), EdgeParams());
   ASSERT_TRUE(show(&builder, 30, 3, 1.3, gripper)->ego_mask);
