@@ -23,8 +23,6 @@ struct KnownDepth {
 
 namespace {
 
-constexpr int kFusionKeyframes = 12;  // number of later keyframes that lines are compared with
-constexpr double kAcrossPx = 1.5;     // from a projected vertex to the edge that it is
 constexpr double kSeenAlongPx = 2.5;
 constexpr double kInFront = 1.1;  // ratio of inverse depths: of two lines at one pixel the nearer is visible
 // A new depth replaces a known one if its standard deviation is below this share.
@@ -36,19 +34,17 @@ constexpr double kMuchBetter = 0.75;
 constexpr int kMinSeen = 2, kManyViews = 6;
 constexpr double kSureShare = 0.007;
 constexpr int kMaxBridge = 40;  // pixels between two neighbours on a line, which spread as it comes nearer
-constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
 
 bool is_same_depth(const KnownDepth& known, const EdgeNode& node) {
-  return std::abs(known.idepth - node.idepth) <
-         kSameSigmas * std::hypot(known.sigma, node.idepth_sigma) + kSameShare * node.idepth;
+  return edgevo::is_same_depth(known.idepth, known.sigma, node.idepth, node.idepth_sigma);
 }
 
 // Whether a vertex that projects to `px`, with this normal in its host, lies on the edge.
 bool is_at_edge(const ViewGeometry& view, const Eigen::Vector2d& normal, const Eigen::Vector2d& px,
                 const EdgePixel& e) {
   const Eigen::Vector2d offset = e.position().cast<double>() - px;
-  return std::abs(e.normal().cast<double>().dot(offset)) < kAcrossPx &&
-         offset.norm() < kAcrossPx + kSeenAlongPx && is_like_direction(view, normal, e);
+  return std::abs(e.normal().cast<double>().dot(offset)) < kSeenAcrossPx &&
+         offset.norm() < kSeenAcrossPx + kSeenAlongPx && is_like_direction(view, normal, e);
 }
 
 }  // namespace

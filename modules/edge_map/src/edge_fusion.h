@@ -24,6 +24,17 @@ constexpr double kSeenBorderPx = 4;
 /// Depth in a keyframe over that in the host, below which a vertex is too near the camera, or behind it.
 constexpr double kMinDepthRatio = 0.05;
 
+/// Number of later keyframes that lines are compared with as they come.
+constexpr int kFusionKeyframes = 12;
+/// From a projected vertex to the edge that it is, pixels.
+constexpr double kSeenAcrossPx = 1.5;
+
+/// Whether an inverse depth that is known, with its standard deviation, is that of an edge found anew.
+inline bool is_same_depth(double known, double known_sigma, double found, double found_sigma) {
+  constexpr double kSigmas = 3, kShare = 0.03;
+  return std::abs(known - found) < kSigmas * std::hypot(known_sigma, found_sigma) + kShare * found;
+}
+
 /// Data of a keyframe that the fusion needs.
 struct EdgeHost {
   /// Of the keyframe; -1: it is a frame between keyframes.

@@ -12,7 +12,7 @@
 #include "edgevo/core/stage_timer.h"
 #include "edgevo/core/thread_clock.h"
 #include "edgevo/core/trace.h"
-#include "edgevo/map/repeated_lines.h"
+#include "edgevo/edge_map/repeated_lines.h"
 #include "edgevo/map/segment_join.h"
 #include "odometry_impl.h"
 
@@ -336,7 +336,7 @@ Run Odometry::Impl::finish() {
   is_finished = true;
   if (!is_closed) close();
   Run run = frames.run().finish();
-  if (params.edge_map.is_fused()) merge_repeated_lines(run.pinhole, &run.keyframes);
+  merge_repeated_lines(run.pinhole, params.edge_map, &run.keyframes);
   if (options.realtime) run.realtime = skipped_work;
   return run;
 }

@@ -11,7 +11,7 @@
 
 #include "edgevo/core/error.h"
 #include "edgevo/core/output_file.h"
-#include "edgevo/map/repeated_lines.h"
+#include "edgevo/edge_map/repeated_lines.h"
 #include "edgevo/map/run_builder.h"
 #include "edgevo/results/recovery_log.h"
 #include "edgevo/results/run_outputs.h"
@@ -103,7 +103,7 @@ RecoveredRun recover_run(const std::string& folder, const RecoveryOptions& optio
   }
   builder.adopt_window();
   Run run = builder.finish();
-  if (params.odometry.edge_map.is_fused()) merge_repeated_lines(run.pinhole, &run.keyframes);
+  merge_repeated_lines(run.pinhole, params.odometry.edge_map, &run.keyframes);
   run.T_vehicle_cam = header.T_vehicle_cam;
   RunInfo info = info_of(header.info, run);
   if (const auto up = decide_up(&run)) info.input.push_back(*up);

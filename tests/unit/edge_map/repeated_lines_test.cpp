@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One edge that two keyframes have, far apart in time.
-#include "edgevo/map/repeated_lines.h"
+#include "edgevo/edge_map/repeated_lines.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ std::vector<KeyframeRecord> keyframes(const EdgeLine& first, const EdgeLine& las
 
 TEST(RepeatedLines, OneEdgeOfTwoPassesBecomesOneLine) {
   std::vector<KeyframeRecord> all = keyframes(edge(100, 60, 4), edge(100, 60, 4.04f));
-  merge_repeated_lines(kPinhole, &all);
+  merge_repeated_lines(kPinhole, {}, &all);
   EXPECT_TRUE(all.back().lines.empty());
   ASSERT_EQ(all.front().lines.size(), 1u);
   const EdgeLine& line = all.front().lines[0];
@@ -42,7 +42,7 @@ TEST(RepeatedLines, OneEdgeOfTwoPassesBecomesOneLine) {
 
 TEST(RepeatedLines, TheMoreCertainDepthCountsMore) {
   std::vector<KeyframeRecord> all = keyframes(edge(100, 60, 4, 0.02f), edge(100, 60, 4.1f, 0.002f));
-  merge_repeated_lines(kPinhole, &all);
+  merge_repeated_lines(kPinhole, {}, &all);
   ASSERT_EQ(all.front().lines.size(), 1u);
   const EdgeVertex& v = all.front().lines[0].vertices[30];
   EXPECT_NEAR(1 / v.idepth, 4.1, 0.003);
@@ -51,7 +51,7 @@ TEST(RepeatedLines, TheMoreCertainDepthCountsMore) {
 
 TEST(RepeatedLines, WhatOnlyOnePassHasStays) {
   std::vector<KeyframeRecord> all = keyframes(edge(100, 60, 4), edge(130, 60, 4));
-  merge_repeated_lines(kPinhole, &all);
+  merge_repeated_lines(kPinhole, {}, &all);
   EXPECT_EQ(all.front().lines[0].vertices.size(), 60u);
   ASSERT_EQ(all.back().lines.size(), 1u);
   EXPECT_NEAR(all.back().lines[0].vertices.front().px.x(), 161, 1);
@@ -64,24 +64,24 @@ TEST(RepeatedLines, OthersStayApart) {
   for (int i = 0; i < 60; ++i) across.vertices.push_back({{120, 170 + float(i)}, 0.25f, 0.0025f, 50, 100});
   for (const EdgeLine& other : {edge(100, 60, 5), across}) {
     std::vector<KeyframeRecord> all = keyframes(line, other);
-    merge_repeated_lines(kPinhole, &all);
+    merge_repeated_lines(kPinhole, {}, &all);
     EXPECT_EQ(all.back().lines.size(), 1u);
     EXPECT_EQ(all.back().lines[0].vertices.size(), 60u);
   }
   std::vector<KeyframeRecord> elsewhere = keyframes(line, line);
   elsewhere.back().T_world_cam = SE3(Eigen::Quaterniond::Identity(), {0, 0.1, 0});
-  merge_repeated_lines(kPinhole, &elsewhere);
+  merge_repeated_lines(kPinhole, {}, &elsewhere);
   EXPECT_EQ(elsewhere.back().lines.size(), 1u);
   std::vector<KeyframeRecord> other_segment = keyframes(line, line);
   other_segment.back().segment = 1;
-  merge_repeated_lines(kPinhole, &other_segment);
+  merge_repeated_lines(kPinhole, {}, &other_segment);
   EXPECT_EQ(other_segment.back().lines.size(), 1u);
 }
 
 // They have shared their lines as they came.
 TEST(RepeatedLines, KeyframesInTheWindowAreLeft) {
   std::vector<KeyframeRecord> all = keyframes(edge(100, 60, 4), edge(100, 60, 4), 12);
-  merge_repeated_lines(kPinhole, &all);
+  merge_repeated_lines(kPinhole, {}, &all);
   EXPECT_EQ(all.back().lines.size(), 1u);
 }
 
@@ -95,7 +95,7 @@ TEST(RepeatedLines, TheLinesOfATurnedCameraAreFound) {
     const Eigen::Vector3d p = T_world_cam.inverse() * point_in_camera(kPinhole, v);
     v.px = kPinhole.project(p).cast<float>(), v.idepth = float(1 / p.z());
   }
-  merge_repeated_lines(kPinhole, &all);
+  merge_repeated_lines(kPinhole, {}, &all);
   EXPECT_TRUE(all.back().lines.empty());
 }
 

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "edgevo/map/repeated_lines.h"
+#include "edgevo/edge_map/repeated_lines.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "edge_fusion.h"
 #include "edgevo/core/order_statistics.h"
 
 namespace edgevo {
 namespace {
 
-constexpr size_t kSharing = 12;     // keyframes after one share its lines as they come (edge_map)
-constexpr double kAtLinePx = 1.5;   // from a line to a vertex that is on it
-constexpr double kAlike = 0.94;     // cosine of the angle between the two: 20 degrees
-constexpr double kMostTimes = 1.6;  // as far or as near: beyond, edges run together (edge_map)
-constexpr double kSameSigmas = 3, kSameShare = 0.03;  // tolerance between two depths of one edge
-constexpr size_t kLeast = 6;         // vertices, a pixel apart: what is left over between nodes is no line
+constexpr double kAlike = 0.94;      // cosine of the angle between two lines that are one: 20 degrees
 constexpr size_t kEverySample = 32;  // vertices: whether a keyframe looks there at all
 
 // What happens to a vertex: whether it goes, and by what more the line is known if it stays.
@@ -58,10 +54,10 @@ class LinesInView {
 
   void forget_index() { cells_ = {}; }
 
-  // Leaves the vertices that stay.
-  void finish() {
+  // Leaves the vertices that stay, in lines of `least` and more: what remains between two nodes is none.
+  void finish(size_t least) {
     std::vector<EdgeLine> kept;
-    for (size_t l = 0; l < keyframe_.lines.size(); ++l) split(keyframe_.lines[l], merged_[l], &kept);
+    for (size_t l = 0; l < keyframe_.lines.size(); ++l) split(keyframe_.lines[l], merged_[l], least, &kept);
     keyframe_.lines = std::move(kept);
   }
 
@@ -83,7 +79,7 @@ class LinesInView {
     const EdgeVertex& v = other.at(there);
     const Eigen::Vector3d p = T_cam_world_ * (other.keyframe_.T_world_cam * point_in_camera(pinhole_, v));
     const double times = p.z() * double(v.idepth);  // as far as from there
-    if (!(times * kMostTimes > 1 && times < kMostTimes)) return std::nullopt;
+    if (!(times * kMaxDepthRatio > 1 && times < kMaxDepthRatio)) return std::nullopt;
     const Eigen::Vector2d px = pinhole_.project(p);
     if (!pinhole_.contains(px, 1)) return std::nullopt;
     return Sighting{px, 1 / p.z(), double(v.idepth_sigma) / times};
@@ -113,7 +109,7 @@ class LinesInView {
   // The nearest of its own vertices, if it is near enough.
   std::optional<Place> nearest(const Eigen::Vector2d& px) const {
     std::optional<Place> found;
-    double least = kAtLinePx * kAtLinePx;
+    double least = kSeenAcrossPx * kSeenAcrossPx;
     const int x0 = std::max(0, int(px.x()) - kCellPx),
               x1 = std::min(pinhole_.width - 1, int(px.x()) + kCellPx);
     const int y0 = std::max(0, int(px.y()) - kCellPx),
@@ -132,9 +128,7 @@ class LinesInView {
     const std::optional<Place> here = s ? nearest(s->px) : std::nullopt;
     if (!here || merged_[here->line][here->vertex].is_repeated) return;
     const EdgeVertex& v = at(*here);
-    const double tolerance =
-        kSameSigmas * std::hypot(s->sigma, double(v.idepth_sigma)) + kSameShare * s->idepth;
-    if (std::abs(s->idepth - double(v.idepth)) > tolerance) return;
+    if (!is_same_depth(double(v.idepth), double(v.idepth_sigma), s->idepth, s->sigma)) return;
     const auto along = direction(*this, *here), along_there = other->direction(*this, there);
     if (!along || !along_there || std::abs(along->dot(*along_there)) < kAlike) return;
     join(*here, other, there);
@@ -159,12 +153,13 @@ class LinesInView {
   static double information(double sigma) { return 1 / (sigma * sigma); }
 
   // The runs of vertices that stay; from all of a line, which stays as it is, to none.
-  static void split(const EdgeLine& line, const std::vector<Merged>& merged, std::vector<EdgeLine>* kept) {
+  static void split(const EdgeLine& line, const std::vector<Merged>& merged, size_t least,
+                    std::vector<EdgeLine>* kept) {
     for (size_t begin = 0; begin < merged.size();) {
       size_t end = begin;
       while (end < merged.size() && !merged[end].is_repeated) ++end;
       const bool is_whole = end - begin == merged.size();
-      if (is_whole || end - begin >= kLeast) kept->push_back(part_of(line, merged, begin, end));
+      if (is_whole || end - begin >= least) kept->push_back(part_of(line, merged, begin, end));
       begin = end + 1;
     }
   }
@@ -194,16 +189,19 @@ class LinesInView {
 
 }  // namespace
 
-void merge_repeated_lines(const Pinhole& pinhole, std::vector<KeyframeRecord>* keyframes) {
+void merge_repeated_lines(const Pinhole& pinhole, const EdgeMapParams& params,
+                          std::vector<KeyframeRecord>* keyframes) {
+  if (!params.is_fused()) return;
   std::vector<LinesInView> views;
   views.reserve(keyframes->size());
   for (KeyframeRecord& k : *keyframes) views.emplace_back(pinhole, &k);
-  for (size_t k = kSharing + 1; k < views.size(); ++k) {
-    for (size_t before = 0; before + kSharing < k; ++before)
+  constexpr size_t kShared = kFusionKeyframes;  // with these as they came
+  for (size_t k = kShared + 1; k < views.size(); ++k) {
+    for (size_t before = 0; before + kShared < k; ++before)
       if (views[k].may_see(views[before])) views[k].compare(&views[before]);
     views[k].forget_index();
   }
-  for (LinesInView& view : views) view.finish();
+  for (LinesInView& view : views) view.finish(size_t(params.step_px));
 }
 
 }  // namespace edgevo
